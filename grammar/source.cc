@@ -1,0 +1,43 @@
+#include "grammar/source.h"
+
+#include <algorithm>
+#include <cassert>
+#include <utility>
+
+namespace plsc {
+
+Source::Source(std::string name, std::string text)
+    : name_(std::move(name)), text_(std::move(text)), line_begins_{0} {
+  for (std::size_t i = 0; i < text_.size(); ++i)
+    if (text_[i] == '\n')
+      line_begins_.push_back(static_cast<std::uint32_t>(i + 1));
+}
+
+Position Source::PositionOf(std::uint32_t offset) const {
+  offset = std::min(offset, static_cast<std::uint32_t>(text_.size()));
+  const auto after =
+      std::upper_bound(line_begins_.begin(), line_begins_.end(), offset);
+  const auto line = static_cast<int>(after - line_begins_.begin());
+  // Bytes 10xxxxxx continue a UTF-8 character.
+  const auto begin = text_.begin() + LineBegin(line);
+  const auto end = text_.begin() + offset;
+  const auto characters = std::count_if(begin, end, [](char c) {
+    return (static_cast<unsigned char>(c) & 0xC0) != 0x80;
+  });
+  return {line, static_cast<int>(characters) + 1};
+}
+
+std::uint32_t Source::LineBegin(int line) const {
+  assert(line >= 1 && line <= line_count());
+  return line_begins_[static_cast<std::size_t>(line - 1)];
+}
+
+std::string_view Source::Line(int line) const {
+  const std::uint32_t begin = LineBegin(line);
+  std::size_t end =
+      line < line_count() ? LineBegin(line + 1) - 1u : text_.size();
+  if (end > begin && text_[end - 1] == '\r') --end;
+  return std::string_view(text_).substr(begin, end - begin);
+}
+
+}  // namespace plsc

@@ -1,0 +1,46 @@
+#pragma once
+
+// Environmental regulation: which rules of a genotype are active in an
+// environment, and what each symbol is therefore rewritten into. The first
+// stage of development (paper, "Environmental regulation").
+
+#include <cstdint>
+#include <vector>
+
+#include "compiler/genotype.h"
+
+namespace plsc {
+
+/// Index into Genotype::rules.
+using RuleIndex = std::uint16_t;
+/// The rule of a symbol that no rule made: the axiom.
+inline constexpr RuleIndex kNoRule = 0xFFFF;
+
+/// One symbol of a string, and where in the genotype it was written: symbol
+/// `position` of the production of `rule`. Eight bytes; the arguments stay in
+/// the genotype.
+struct Occurrence {
+  SymbolId symbol{};
+  RuleIndex rule = kNoRule;
+  std::uint32_t position = 0;
+
+  friend bool operator==(const Occurrence&, const Occurrence&) = default;
+};
+
+struct ActiveRules {
+  std::vector<RuleIndex> rules;  ///< every rule whose clause holds, in order
+  /// By SymbolId: the productions of its active rules joined in order; of C,
+  /// the leading C of the second and later ones is left out. Empty: no rule
+  /// is active, the symbol stays as it is.
+  std::vector<std::vector<Occurrence>> joined;
+};
+
+/// `and` binds tighter than `or`; a clause without terms holds.
+/// `environment` has a value for every state of the genotype.
+bool Holds(const Clause& clause, const Environment& environment);
+
+/// Copies: the genotype is not changed (the authors' program joined the rules
+/// inside the genotype, see docs/decisions).
+ActiveRules Regulate(const Genotype& genotype, const Environment& environment);
+
+}  // namespace plsc

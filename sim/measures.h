@@ -1,0 +1,23 @@
+#pragma once
+
+// Behavioural descriptors (paper, "Behavioral descriptors"; reference 7.1).
+
+#include "sim/trajectory.h"
+
+namespace plsc {
+
+/// All zero, with is_valid false, for a trajectory that was not completed.
+struct Behaviour {
+  bool is_valid = false;
+  double displacement_velocity_hill = 0;  ///< m/s, the paper's Speed: progress
+                                          ///< of the core's centre along +y
+  double displacement_velocity = 0;       ///< m/s, straight, in the xy plane
+  double velocity = 0;      ///< m/s, along the path in the xy plane
+  double head_balance = 0;  ///< 0.25 to 1, the paper's Balance (Eq. 4)
+  double contacts = 0;      ///< mean contact points a sample over Size
+};
+
+/// `size`: modules that are no sensors, at least 1.
+Behaviour Measure(const Trajectory& trajectory, int size);
+
+}  // namespace plsc

@@ -1,0 +1,61 @@
+#pragma once
+
+// Every constant that a simulation depends on, with its reason. They are
+// stored with results: a result is a function of the phenotype, the terrain
+// and these. Pointers "reference N" are to docs/simulation.md's sources.
+
+#include <cstdint>
+
+namespace plsc {
+
+enum class Solver : std::uint8_t {
+  kDirect,     ///< ODE dWorldStep: Dantzig's method, exact
+  kIterative,  ///< ODE dWorldQuickStep: SOR
+};
+
+enum class ControllerMode : std::uint8_t {
+  /// Oscillators alone, as the authors' program runs them: inputs, weights and
+  /// loops are developed but have no effect.
+  kOpenLoop,
+  /// Touch inputs and loops act on the oscillators:
+  /// clamp(O(t) + sum w_i x_i + w_loop (previous - 0.5), 0, 1).
+  kCoupled,
+};
+
+struct PhysicsOptions {
+  double step = 0.005;  ///< s; the authors' flat world
+  Solver solver = Solver::kDirect;
+  int solver_iterations = 50;  ///< kIterative only
+  double gravity = 9.8;        ///< m/s2, along -z
+  double world_erp = 0.1;      ///< joints; the authors' worlds
+  double world_cfm = 1e-5;     ///< joints; the authors' worlds
+  double friction = 1.0;       ///< mu, both directions of the pyramid
+  double slip = 0.01;          ///< m/s per N, both directions
+  double robot_kp = 9e4;       ///< N/m, a robot box's contact stiffness
+  double robot_kd = 1e7 / 3;   ///< N s/m
+  double ground_kp = 2e6;      ///< N/m
+  double ground_kd = 9e4;      ///< N s/m
+  double damping = 1e-4;       ///< share of velocity lost a step, linear and
+                               ///< angular
+};
+
+/// The servo of the joints (reference 5.5): a velocity servo, deliberately
+/// weak and slow.
+struct ServoOptions {
+  double range = 0.7853982;     ///< rad, limits are -range and +range
+  double gain = 0.9;            ///< 1/s, target speed per rad of error
+  double max_speed = 1.0;       ///< rad/s, clamp of the target speed
+  double max_torque = 0.17658;  ///< N m
+  double update_rate = 8;       ///< Hz, the first update at t = 0
+};
+
+struct SimulationOptions {
+  double duration = 50;          ///< s
+  double sample_interval = 0.2;  ///< s, of the trajectory
+  double start_height = 0.03;    ///< m, of the core's centre above the origin
+  ControllerMode controller = ControllerMode::kOpenLoop;
+  PhysicsOptions physics;
+  ServoOptions servo;
+};
+
+}  // namespace plsc

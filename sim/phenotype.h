@@ -1,0 +1,15 @@
+#pragma once
+
+// A robot as developed for one environment.
+
+#include "sim/body.h"
+#include "sim/brain.h"
+
+namespace plsc {
+
+struct Phenotype {
+  Body body;
+  Brain brain;
+};
+
+}  // namespace plsc

@@ -1,0 +1,29 @@
+#pragma once
+
+// What a simulated life leaves behind.
+
+#include <Eigen/Core>
+#include <cstdint>
+
+#include "sim/outcome.h"
+
+namespace plsc {
+
+/// Sampled every `interval`, the start and the end included.
+struct Trajectory {
+  Outcome outcome = Outcome::kCompleted;
+  double interval = 0.2;              ///< s, between samples
+  Eigen::VectorXd time;               ///< s, (samples)
+  Eigen::Matrix3Xd core_position;     ///< m, world frame, (3 x samples)
+  Eigen::Matrix3Xd core_orientation;  ///< rad, roll pitch yaw: rotations about
+                                      ///< the fixed x, y, z axes in this order,
+                                      ///< |pitch| <= pi/2, (3 x samples)
+  Eigen::Matrix3Xd mass_centre;       ///< m, of the whole robot, (3 x samples)
+  Eigen::MatrixXd joint_angle;        ///< rad, (joints x samples), joints in
+                                      ///< the order of Body::modules
+  Eigen::VectorXi contacts;           ///< contact points, (samples)
+  std::int64_t steps = 0;             ///< simulated
+  std::uint64_t state_hash = 0;       ///< of the final state, bit for bit
+};
+
+}  // namespace plsc
