@@ -12,13 +12,6 @@ BodyTurtle::BodyTurtle(int max_modules, bool move_to_new)
   body_.modules.push_back(core);
 }
 
-Facing FacingOf(Facing facing, Slot slot) {
-  // Counter-clockwise turns: front 0, left 1, back 2, right 3.
-  constexpr std::array<int, kSlots> kTurns{2, 0, 3, 1};  // by Slot
-  return static_cast<Facing>(
-      (static_cast<int>(facing) + kTurns[static_cast<std::size_t>(slot)]) % 4);
-}
-
 int RollAngle(ModuleType child, ModuleType parent) {
   const bool child_is_vertical = child == ModuleType::kVerticalJoint;
   if (parent == ModuleType::kVerticalJoint) return child_is_vertical ? 0 : 270;

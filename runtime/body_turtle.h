@@ -53,9 +53,6 @@ class BodyTurtle {
   bool move_to_new_;
 };
 
-/// The direction in which `slot` of a module with `facing` points.
-Facing FacingOf(Facing facing, Slot slot);
-
 /// Roll of a module about its long axis relative to its parent, degrees: a
 /// vertical joint is a joint rolled by 90, and what follows one is rolled
 /// back, except another vertical joint.
