@@ -3,7 +3,7 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
-#include "runtime/descriptors.h"
+#include "runtime/formats/descriptors_json.h"
 #include "runtime/regulate.h"
 
 namespace plsc {
@@ -102,13 +102,6 @@ Json BrainJson(const Phenotype& phenotype) {
   return {{"nodes", std::move(nodes)},
           {"imu_inputs", kImuInputs},
           {"connections", std::move(connections)}};
-}
-
-Json DescriptorsJson(const std::vector<NamedValue>& values) {
-  Json json = Json::object();
-  for (const NamedValue& value : values)
-    json[std::string(value.name)] = Number(value.value, value.is_count);
-  return json;
 }
 
 }  // namespace
