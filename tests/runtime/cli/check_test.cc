@@ -66,8 +66,7 @@ TEST_CASE("check --allow-range warns of arguments outside their range",
   CHECK(ran.err.find("warning[P2004]") != std::string::npos);
 }
 
-TEST_CASE("check of hostile bytes prints an error and valid JSON",
-          "[check]") {
+TEST_CASE("check of hostile bytes prints an error and valid JSON", "[check]") {
   const std::string hostile = "plsc 1\n\xFF\xFE\x1B[31m\0rule";
   CHECK(RunPlsc({"check", "-"}, hostile).exit == 1);
   const auto ran = RunPlsc({"check", "-", "--format", "json"}, hostile);

@@ -13,14 +13,14 @@ using test::RunPlsc;
 TEST_CASE("develop grows the robot of one environment", "[develop]") {
   for (const char* env : {"inclined=True", "tilted"}) {
     INFO(env);
-    const auto ran = RunPlsc(
-        {"develop", "-", "--env", env, "--format", "json"}, kPlasticText);
+    const auto ran = RunPlsc({"develop", "-", "--env", env, "--format", "json"},
+                             kPlasticText);
     REQUIRE(ran.exit == 0);
     const json robot = json::parse(ran.out);
     CHECK(robot["genotype"] == "plastic");
     CHECK(robot["environment"] == json{{"inclined", true}});
     CHECK(robot["active_rules"] == json{2});
-    CHECK(robot["early"].size() == 5);
+    CHECK(robot["early"].size() == 6);
     CHECK(robot["body"]["children"]["left"]["type"] == "A2");
     CHECK(robot["brain"]["nodes"][0]["period"] == 3.0);
     CHECK(robot["body_descriptors"]["absolute_size"] == 3);
@@ -29,8 +29,7 @@ TEST_CASE("develop grows the robot of one environment", "[develop]") {
 
 TEST_CASE("develop without --env grows every environment of the file",
           "[develop]") {
-  const auto ran =
-      RunPlsc({"develop", "-", "--format", "json"}, kPlasticText);
+  const auto ran = RunPlsc({"develop", "-", "--format", "json"}, kPlasticText);
   REQUIRE(ran.exit == 0);
   CHECK(std::count(ran.out.begin(), ran.out.end(), '\n') == 2);
   const auto text = RunPlsc({"develop", "-"}, kPlasticText);
@@ -79,9 +78,8 @@ TEST_CASE("develop asks for an environment when the file names none",
 
 TEST_CASE("develop warns of states that are not sensed, and goes on",
           "[develop]") {
-  const auto ran =
-      RunPlsc({"develop", "-", "--env", "inclined=True,hot=False"},
-              kPlasticText);
+  const auto ran = RunPlsc({"develop", "-", "--env", "inclined=True,hot=False"},
+                           kPlasticText);
   CHECK(ran.exit == 0);
   CHECK(ran.err.find("does not sense 'hot'") != std::string::npos);
 }
@@ -104,8 +102,8 @@ TEST_CASE("develop draws a body a file", "[develop]") {
   const std::string svg =
       test::ReadFile(folder.path() / "pictures" / "plastic-tilted.svg");
   CHECK(svg.find("plastic, tilted") != std::string::npos);
-  CHECK(std::filesystem::exists(folder.path() / "pictures" /
-                                "plastic-flat.svg"));
+  CHECK(
+      std::filesystem::exists(folder.path() / "pictures" / "plastic-flat.svg"));
 }
 
 TEST_CASE("develop says when a picture cannot be written", "[develop]") {
@@ -115,8 +113,8 @@ TEST_CASE("develop says when a picture cannot be written", "[develop]") {
   CHECK(ran.exit == 1);
   CHECK(ran.err.find("cannot write") != std::string::npos);
   const auto didactic =
-      RunPlsc({"develop", test::InRepository("examples/didactic.pls"),
-               "--svg", folder / "pictures"});
+      RunPlsc({"develop", test::InRepository("examples/didactic.pls"), "--svg",
+               folder / "pictures"});
   CHECK(didactic.exit == 2);
   CHECK(folder.Files() == std::vector<std::string>{"file"});
 }

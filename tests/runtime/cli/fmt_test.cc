@@ -36,8 +36,7 @@ TEST_CASE("fmt rewrites a file and keeps its comments", "[fmt]") {
   }
 }
 
-TEST_CASE("fmt --check names what would change and writes nothing",
-          "[fmt]") {
+TEST_CASE("fmt --check names what would change and writes nothing", "[fmt]") {
   const test::TemporaryFolder folder;
   const std::string file = folder.Write("a.pls", kUntidy);
   const auto ran = RunPlsc({"fmt", "--check", file});
