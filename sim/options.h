@@ -2,7 +2,7 @@
 
 // Every constant that a simulation depends on, with its reason. They are
 // stored with results: a result is a function of the phenotype, the terrain
-// and these. Pointers "reference N" are to docs/simulation.md's sources.
+// and these. docs/simulation.md tells where the numbers come from.
 
 #include <cstdint>
 
@@ -39,8 +39,8 @@ struct PhysicsOptions {
                                ///< angular
 };
 
-/// The servo of the joints (reference 5.5): a velocity servo, deliberately
-/// weak and slow.
+/// The servo of the joints (authors' program, joint.py:59, Motor.cpp:64): a
+/// velocity servo, deliberately weak and slow.
 struct ServoOptions {
   double range = 0.7853982;     ///< rad, limits are -range and +range
   double gain = 0.9;            ///< 1/s, target speed per rad of error
