@@ -1,5 +1,8 @@
 #include "sim/simulate.h"
 
+#include <sys/wait.h>
+#include <unistd.h>
+
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <thread>
@@ -185,6 +188,22 @@ TEST_CASE("Big bodies are simulated as others are", "[simulate]") {
   CHECK(life.joint_angle.rows() == 9);
 }
 
+TEST_CASE("Robots of very many links are solved iteratively", "[simulate]") {
+  Body chain = LoneCore();
+  int end = 0;
+  for (int i = 1; i < 200; ++i)
+    end = Mount(
+        chain, end, Slot::kFront,
+        i % 2 == 0 ? ModuleType::kVerticalJoint : ModuleType::kHorizontalJoint);
+  const Phenotype robot = WithOscillators(chain, 2, 3);
+  SimulationOptions iterative = Life(0.1);
+  iterative.physics.solver = Solver::kIterative;
+  const Trajectory life = Simulate(robot, {}, Life(0.1));
+  CHECK(life.outcome == Outcome::kCompleted);
+  CHECK(life.joint_angle.rows() == 199);
+  CHECK(life.state_hash == Simulate(robot, {}, iterative).state_hash);
+}
+
 struct Job {
   Phenotype robot;
   Terrain terrain;
@@ -226,6 +245,32 @@ TEST_CASE("The same bits after any history and in any thread", "[simulate]") {
     b.join();
     CHECK(first == expected);
     CHECK(second == reversed);
+  }
+}
+
+/// What another process, forked from this one, computes.
+std::uint64_t HashInChild(const Job& job) {
+  int ends[2] = {};
+  REQUIRE(pipe(ends) == 0);
+  const pid_t child = fork();
+  REQUIRE(child >= 0);
+  if (child == 0) {
+    const std::uint64_t hash = HashesOf({job})[0];
+    const ssize_t written = write(ends[1], &hash, sizeof hash);
+    _exit(written == sizeof hash ? 0 : 1);
+  }
+  std::uint64_t hash = 0;
+  CHECK(read(ends[0], &hash, sizeof hash) == sizeof hash);
+  CHECK(waitpid(child, nullptr, 0) == child);
+  close(ends[0]);
+  close(ends[1]);
+  return hash;
+}
+
+TEST_CASE("The same bits in another process", "[simulate]") {
+  for (const Solver solver : {Solver::kDirect, Solver::kIterative}) {
+    const std::vector<Job> jobs = Jobs(solver);
+    CHECK(HashInChild(jobs[4]) == HashesOf(jobs)[4]);
   }
 }
 
