@@ -24,6 +24,8 @@ struct Season {
   /// What a robot senses, by state name, as written in a clause: "True",
   /// "30.5", "wet". May name states that a genotype does not ask about.
   std::map<std::string, std::string> senses;
+
+  friend bool operator==(const Season&, const Season&) = default;
 };
 
 struct Scenario {
@@ -33,6 +35,8 @@ struct Scenario {
   ControllerMode controller = ControllerMode::kOpenLoop;
   PhysicsOptions physics;
   ServoOptions servo;
+
+  friend bool operator==(const Scenario&, const Scenario&) = default;
 };
 
 /// The paper's: 50 s Flat, then 50 s Tilted by 5 degrees, where `inclined` is

@@ -37,6 +37,9 @@ struct PhysicsOptions {
   double ground_kd = 9e4;      ///< N s/m
   double damping = 1e-4;       ///< share of velocity lost a step, linear and
                                ///< angular
+
+  friend bool operator==(const PhysicsOptions&,
+                         const PhysicsOptions&) = default;
 };
 
 /// The servo of the joints (reference 5.5): a velocity servo, deliberately
@@ -47,6 +50,8 @@ struct ServoOptions {
   double max_speed = 1.0;       ///< rad/s, clamp of the target speed
   double max_torque = 0.17658;  ///< N m
   double update_rate = 8;       ///< Hz, the first update at t = 0
+
+  friend bool operator==(const ServoOptions&, const ServoOptions&) = default;
 };
 
 struct SimulationOptions {
