@@ -1,6 +1,24 @@
 #include "sim/body.h"
 
+#include <array>
+
 namespace plsc {
+
+Facing FacingOf(Facing facing, Slot slot) {
+  // Counter-clockwise quarter turns from the front.
+  constexpr std::array<int, kSlots> kTurns{2, 0, 3, 1};  // by Slot
+  return static_cast<Facing>(
+      (static_cast<int>(facing) + kTurns[static_cast<std::size_t>(slot)]) % 4);
+}
+
+Facing Opposite(Facing facing) {
+  return static_cast<Facing>((static_cast<int>(facing) + 2) % 4);
+}
+
+std::string_view ModuleName(ModuleType type) {
+  constexpr std::array<std::string_view, 5> kNames{"C", "B", "A1", "A2", "T"};
+  return kNames[static_cast<std::size_t>(type)];
+}
 
 std::string ModuleId(const Body& body, int index) {
   const Module& module = body.modules[static_cast<std::size_t>(index)];

@@ -7,6 +7,7 @@
 #include <array>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace plsc {
@@ -39,6 +40,10 @@ enum class Facing : std::uint8_t {
   kRight = 3,  ///< +x
 };
 
+/// The direction in which `slot` of a module with `facing` points.
+Facing FacingOf(Facing facing, Slot slot);
+Facing Opposite(Facing facing);
+
 inline constexpr int kNoModule = -1;
 
 struct Module {
@@ -60,6 +65,9 @@ struct Module {
 struct Body {
   std::vector<Module> modules;
 };
+
+/// The paper's name of a module's symbol: "C", "B", "A1", "A2", "T".
+std::string_view ModuleName(ModuleType type);
 
 /// "1" the core, "2"...; a sensor: its parent's id, "s", the slot's digit.
 std::string ModuleId(const Body& body, int index);

@@ -1,0 +1,53 @@
+# Sourced, not run: makes sure that the Debian packages named by the caller are
+# installed. Used by tests/run.sh, examples/quickstart.sh and .ci/run, so that
+# each works on a fresh machine.
+
+# What building and testing plsc needs; docs/dependencies.md says why each.
+PLSC_PACKAGES="g++ cmake ninja-build pkg-config gzip tao-pegtl-dev libfmt-dev \
+libeigen3-dev libode-dev catch2 libyaml-cpp-dev libcli11-dev \
+nlohmann-json3-dev librandom123-dev"
+
+plsc_fail() {
+  echo "$(basename "$0"): $1" >&2
+  exit 1
+}
+
+# plsc_install PACKAGE...: installs what is missing with apt-get, as root or
+# through sudo, and says so. Does nothing, and needs no network, when all are
+# there.
+plsc_install() {
+  command -v dpkg-query >/dev/null 2>&1 && command -v apt-get >/dev/null 2>&1 ||
+    plsc_fail "this script installs Debian packages and found no apt-get; on another system install by hand: $*"
+  local missing="" package
+  for package in "$@"; do
+    [ "$(dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null)" = installed ] ||
+      missing="$missing $package"
+  done
+  [ -n "$missing" ] || return 0
+
+  local as_root=""
+  if [ "$(id -u)" -ne 0 ]; then
+    command -v sudo >/dev/null 2>&1 ||
+      plsc_fail "these packages are missing and you are neither root nor have sudo; ask for:$missing"
+    as_root="sudo"
+  fi
+  echo "installing with apt-get:$missing"
+  local log
+  log=$(mktemp)
+  if ! { $as_root apt-get update &&
+    $as_root env DEBIAN_FRONTEND=noninteractive \
+      apt-get install -y --no-install-recommends $missing; } >"$log" 2>&1; then
+    tail -n 15 "$log" >&2
+    rm -f "$log"
+    plsc_fail "apt-get could not install the packages (its last lines are above); is there a network, and does /etc/apt name Debian 12?"
+  fi
+  rm -f "$log"
+}
+
+# plsc_build PRESET [TARGET]: configures and builds into build/PRESET.
+plsc_build() {
+  cmake --preset "$1" >/dev/null ||
+    plsc_fail "cmake could not configure; its message is above"
+  cmake --build --preset "$1" --target "${2-all}" ||
+    plsc_fail "the build failed; the compiler's message is above"
+}

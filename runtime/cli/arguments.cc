@@ -1,0 +1,234 @@
+// The command line's grammar and its help texts. The only file that knows
+// CLI11.
+
+#include <CLI/CLI.hpp>
+#include <sstream>
+
+#include "runtime/cli/commands.h"
+#include "runtime/cli/version.h"
+
+namespace plsc::cli {
+
+namespace {
+
+constexpr const char* kOverview =
+    "Compiler and interpreter of regulated L-systems: genotypes of modular "
+    "robots,\nwritten as text, whose rules are switched on and off by what the "
+    "robot senses.";
+
+constexpr const char* kFooter =
+    "Start here:\n"
+    "  plsc check examples/gecko.pls      is the text a genotype?\n"
+    "  plsc develop examples/gecko.pls    which robot grows from it?\n"
+    "  plsc simulate examples/gecko.pls   how does it walk?\n"
+    "  plsc random --seed 1 | plsc develop - --env inclined=True\n"
+    "  plsc evolve examples/small.yaml -o run1\n\n"
+    "`plsc COMMAND --help` explains one command. Exit status: 0 fine, 1 the "
+    "input is\nwrong, 2 the usage is wrong.";
+
+void AddFormat(CLI::App* command, Format& format, const char* json) {
+  command
+      ->add_option("--format", format,
+                   std::string("text for people (default), or json: ") + json)
+      ->transform(CLI::CheckedTransformer(std::map<std::string, Format>{
+          {"text", Format::kText}, {"json", Format::kJson}}))
+      ->type_name("text|json")
+      ->option_text("text|json");
+}
+
+CLI::App* AddCheck(CLI::App& app, CheckCommand& command) {
+  CLI::App* sub =
+      app.add_subcommand("check", "Say whether files are correct genotypes");
+  sub->add_option("FILE", command.files, "genotype files; - is standard input")
+      ->required();
+  AddFormat(sub, command.format, "one diagnostic a line");
+  sub->add_flag("--allow-range", command.allow_range,
+                "arguments outside their range are warnings, not errors");
+  sub->footer(
+      "Prints every error that can be found, with file:line:column, the line, "
+      "a caret\nand what was expected. Exit status 1 if there is any.\n\n"
+      "  plsc check robots/*.pls\n"
+      "  plsc check --format json robot.pls | jq .message");
+  return sub;
+}
+
+CLI::App* AddFmt(CLI::App& app, FmtCommand& command) {
+  CLI::App* sub = app.add_subcommand(
+      "fmt", "Rewrite files in the canonical layout, comments kept");
+  sub->add_option("FILE", command.files,
+                  "genotype files, rewritten in place; - is standard input, "
+                  "printed")
+      ->required();
+  sub->add_flag("--check", command.check,
+                "write nothing; exit status 1 names files that would change");
+  sub->add_flag("--stdout", command.to_stdout,
+                "print the result instead of writing the file");
+  sub->add_flag("--compact", command.compact,
+                "a group of symbols a line instead of one symbol a line");
+  sub->footer(
+      "The canonical layout has one symbol a line, so that git merges two "
+      "independent\nmutations without conflict. A file is replaced as a whole "
+      "or not at all, and only\nwhen the new text means the same genotype.");
+  return sub;
+}
+
+CLI::App* AddDevelop(CLI::App& app, DevelopCommand& command) {
+  CLI::App* sub = app.add_subcommand(
+      "develop", "Grow the robot of a genotype in one or more environments");
+  sub->add_option("FILE", command.file, "a genotype file; - is standard input")
+      ->required();
+  sub->add_option("--env", command.environments,
+                  "what the robot senses: STATE=VALUE,... or the name of an "
+                  "environment of the file; may be repeated (default: every "
+                  "environment that the file names)")
+      ->option_text("ENVIRONMENT")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  AddFormat(sub, command.format, "one robot a line");
+  sub->add_option("--svg", command.svg_folder,
+                  "also draw each body as FOLDER/GENOTYPE-ENVIRONMENT.svg")
+      ->option_text("FOLDER");
+  sub->add_flag("--allow-range", command.allow_range,
+                "arguments outside their range are warnings, not errors");
+  sub->footer(
+      "The drawing shows the body from above, the core's front up: C core, B "
+      "brick,\nA1 vertical joint, A2 horizontal joint, T a touch sensor on a "
+      "side; the dot is\nwhere a module hangs on its parent. Genotypes of "
+      "other alphabets print their\nstring after each rewriting.\n\n"
+      "  plsc develop robot.pls --env inclined=True,hot=False\n"
+      "  plsc develop robot.pls --env flat --env tilted --svg pictures\n"
+      "  plsc develop robot.pls --env flat --format json | jq .body");
+  return sub;
+}
+
+CLI::App* AddSimulate(CLI::App& app, SimulateCommand& command) {
+  CLI::App* sub = app.add_subcommand(
+      "simulate", "Live the seasons of a scenario in the physics simulator");
+  sub->add_option("FILE", command.file, "a genotype file; - is standard input")
+      ->required();
+  sub->add_option("--scenario", command.scenario,
+                  "YAML file with the seasons and the physics (default: the "
+                  "paper's, 50 s Flat then 50 s Tilted by 5 degrees)")
+      ->option_text("FILE");
+  AddFormat(sub, command.format, "one season a line, with all descriptors");
+  sub->add_option("--trajectory", command.trajectory_folder,
+                  "also write each season's samples as FOLDER/SEASON.csv")
+      ->option_text("FOLDER");
+  sub->footer(
+      "In every season the robot develops for what it senses there, starts "
+      "afresh at the\norigin and is measured: Speed in cm/s uphill (the "
+      "robot's front), Balance 0 to 1,\nfitness in m/s as the paper defines "
+      "it.\n\n"
+      "  plsc simulate examples/gecko.pls\n"
+      "  plsc simulate robot.pls --scenario hot.yaml --format json");
+  return sub;
+}
+
+CLI::App* AddEvolve(CLI::App& app, EvolveCommand& command) {
+  CLI::App* sub = app.add_subcommand(
+      "evolve", "Evolve robots as an experiment file describes");
+  sub->add_option("EXPERIMENT", command.experiment,
+                  "YAML file; every key has the paper's value as default")
+      ->required();
+  sub->add_option("-o,--output", command.output,
+                  "folder to make for the results; must not exist")
+      ->required()
+      ->option_text("FOLDER");
+  sub->add_option("--seed", command.seed, "instead of the experiment's seed");
+  sub->add_option("--jobs", command.jobs,
+                  "worker processes (default: one a core); changes no result")
+      ->check(CLI::Range(1, 1024))
+      ->option_text("N");
+  sub->add_flag("--quiet", command.quiet, "no progress line");
+  AddFormat(sub, command.format, "the best robot and the figures of the run");
+  sub->footer(
+      "Prints a progress line and, at the end, the best robot's genotype and "
+      "bodies.\nThe same experiment and seed give the same results, bit for "
+      "bit, whatever the\nnumber of workers. Ctrl-C stops cleanly.\n\n"
+      "  plsc evolve examples/small.yaml -o run1 --seed 7");
+  return sub;
+}
+
+CLI::App* AddRandom(CLI::App& app, RandomCommand& command) {
+  CLI::App* sub = app.add_subcommand(
+      "random", "Write a random genotype, as evolution begins with");
+  sub->add_option("--seed", command.seed,
+                  "the same seed gives the same genotype")
+      ->required();
+  sub->add_option("--encoding", command.encoding,
+                  "plasticoding (default): rules with clauses; baseline: one "
+                  "rule a symbol, always active")
+      ->check(CLI::IsMember({"plasticoding", "baseline"}))
+      ->option_text("ENCODING");
+  sub->add_option("--states", command.states,
+                  "states that clauses ask about (default: inclined)")
+      ->delimiter(',')
+      ->option_text("NAME,...");
+  sub->add_option("--max-groups", command.max_groups,
+                  "most groups of five symbols a rule (default 4)")
+      ->check(CLI::Range(1, 100))
+      ->option_text("N");
+  sub->add_option("--max-rules", command.max_rules,
+                  "rules a symbol, plasticoding only (default 2)")
+      ->check(CLI::Range(1, 100))
+      ->option_text("N");
+  sub->add_option("--max-terms", command.max_terms,
+                  "most terms a clause, plasticoding only (default 2)")
+      ->check(CLI::Range(1, 100))
+      ->option_text("N");
+  sub->add_option("-o,--output", command.output,
+                  "file to write (default: standard output); must not exist")
+      ->option_text("FILE");
+  sub->footer(
+      "  plsc random --seed 7 -o robot7.pls\n"
+      "  plsc random --seed 7 --states inclined,hot");
+  return sub;
+}
+
+// CLI11's own exit() decides what is help and what an error; its numbers are
+// not ours.
+Answer AnswerTo(const CLI::App& app, const CLI::ParseError& error) {
+  std::ostringstream out;
+  std::ostringstream err;
+  const int code = app.exit(error, out, err);
+  return {code == 0 ? Exit::kFine : Exit::kBadUsage, out.str(), err.str()};
+}
+
+}  // namespace
+
+Command ParseArguments(const std::vector<std::string>& arguments) {
+  CLI::App app(kOverview, "plsc");
+  app.set_version_flag("--version", std::string("plsc ") + kVersion);
+  app.footer(kFooter);
+  app.require_subcommand(1);
+  app.failure_message(CLI::FailureMessage::simple);
+
+  CheckCommand check;
+  FmtCommand fmt;
+  DevelopCommand develop;
+  SimulateCommand simulate;
+  EvolveCommand evolve;
+  RandomCommand random;
+  const CLI::App* check_app = AddCheck(app, check);
+  const CLI::App* fmt_app = AddFmt(app, fmt);
+  const CLI::App* develop_app = AddDevelop(app, develop);
+  const CLI::App* simulate_app = AddSimulate(app, simulate);
+  const CLI::App* evolve_app = AddEvolve(app, evolve);
+
+  AddRandom(app, random);
+
+  try {
+    // CLI11 takes the arguments from the back.
+    app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
+  } catch (const CLI::ParseError& error) {
+    return AnswerTo(app, error);
+  }
+  if (check_app->parsed()) return check;
+  if (fmt_app->parsed()) return fmt;
+  if (develop_app->parsed()) return develop;
+  if (simulate_app->parsed()) return simulate;
+  if (evolve_app->parsed()) return evolve;
+  return random;
+}
+
+}  // namespace plsc::cli

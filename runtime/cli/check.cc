@@ -1,0 +1,53 @@
+#include <fmt/format.h>
+
+#include <ostream>
+
+#include "compiler/compile.h"
+#include "runtime/cli/commands.h"
+#include "runtime/cli/diagnostic_json.h"
+
+namespace plsc::cli {
+
+namespace {
+
+void Show(const std::vector<Diagnostic>& diagnostics, const Source& source,
+          Format format, Io& io) {
+  if (format == Format::kText) return Report(diagnostics, source, io);
+  for (const Diagnostic& diagnostic : diagnostics)
+    io.out << DiagnosticJson(diagnostic, source) << '\n';
+}
+
+bool CheckOne(const std::string& file, const CheckCommand& command, Io& io) {
+  const Result<Source> source = ReadSource(file, io);
+  if (!source) {
+    const Diagnostic& problem = source.diagnostics()[0];
+    if (command.format == Format::kJson)
+      io.out << DiagnosticJson(problem, Source(file, "")) << '\n';
+    else
+      io.err << fmt::format("error[{}]: {}\n", problem.code, problem.message);
+    return false;
+  }
+  CompileOptions options;
+  options.allow_out_of_range = command.allow_range;
+  const Result<Program> program = Compile(*source, options);
+  Show(program.diagnostics(), *source, command.format, io);
+  if (!program) return false;
+  if (command.format == Format::kText)
+    io.out << fmt::format(
+        "{}: genotype {}, alphabet {}, {} rules, {} states, {} environments\n",
+        source->name(), program->genotype.name,
+        program->genotype.alphabet->name(), program->genotype.rules.size(),
+        program->genotype.states.size(), program->environments.size());
+  return true;
+}
+
+}  // namespace
+
+Exit Run(const CheckCommand& command, Io& io) {
+  bool all_fine = true;
+  for (const std::string& file : command.files)
+    all_fine = CheckOne(file, command, io) && all_fine;
+  return all_fine ? Exit::kFine : Exit::kBadInput;
+}
+
+}  // namespace plsc::cli

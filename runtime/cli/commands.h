@@ -1,0 +1,90 @@
+#pragma once
+
+// What the user asked for: one struct a command, filled by arguments.cc, run
+// by the function beside it. Only runtime/cli prints, opens files by name and
+// reads the clock.
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "runtime/cli/io.h"
+
+namespace plsc::cli {
+
+enum class Format : std::uint8_t { kText, kJson };
+
+struct CheckCommand {
+  std::vector<std::string> files;
+  Format format = Format::kText;
+  bool allow_range = false;
+};
+
+struct FmtCommand {
+  std::vector<std::string> files;
+  bool check = false;
+  bool to_stdout = false;
+  bool compact = false;
+};
+
+struct DevelopCommand {
+  std::string file;
+  std::vector<std::string> environments;  ///< "a=True,b=False" or a name
+  Format format = Format::kText;
+  std::string svg_folder;  ///< empty: none
+  bool allow_range = false;
+};
+
+struct SimulateCommand {
+  std::string file;
+  std::string scenario;  ///< empty: the paper's
+  Format format = Format::kText;
+  std::string trajectory_folder;  ///< empty: none
+};
+
+struct EvolveCommand {
+  std::string experiment;
+  std::string output;
+  std::optional<std::uint64_t> seed;
+  std::optional<int> jobs;
+  bool quiet = false;
+  Format format = Format::kText;
+};
+
+struct RandomCommand {
+  std::uint64_t seed = 0;
+  std::string encoding = "plasticoding";
+  std::vector<std::string> states{"inclined"};
+  int max_groups = 4;
+  int max_rules = 2;
+  int max_terms = 2;
+  std::string output;  ///< empty: standard output
+};
+
+/// What the command line already answered: help, version, or a usage error.
+struct Answer {
+  Exit exit = Exit::kFine;
+  std::string out;
+  std::string err;
+};
+
+using Command = std::variant<Answer, CheckCommand, FmtCommand, DevelopCommand,
+                             SimulateCommand, EvolveCommand, RandomCommand>;
+
+/// `arguments` without the program's name.
+Command ParseArguments(const std::vector<std::string>& arguments);
+
+Exit Run(const Answer& answer, Io& io);
+Exit Run(const CheckCommand& command, Io& io);
+Exit Run(const FmtCommand& command, Io& io);
+Exit Run(const DevelopCommand& command, Io& io);
+Exit Run(const SimulateCommand& command, Io& io);
+Exit Run(const EvolveCommand& command, Io& io);
+Exit Run(const RandomCommand& command, Io& io);
+
+/// The whole program, as tests call it.
+Exit Main(const std::vector<std::string>& arguments, Io& io);
+
+}  // namespace plsc::cli

@@ -1,0 +1,161 @@
+#include <fmt/format.h>
+
+#include <cctype>
+#include <filesystem>
+#include <ostream>
+
+#include "compiler/print.h"
+#include "runtime/cli/commands.h"
+#include "runtime/cli/program.h"
+#include "runtime/derive.h"
+#include "runtime/descriptors.h"
+#include "runtime/develop.h"
+#include "runtime/formats/body_svg.h"
+#include "runtime/formats/body_text.h"
+#include "runtime/formats/phenotype_json.h"
+
+namespace plsc::cli {
+
+namespace {
+
+struct Developed {
+  ActiveRules active;
+  SymbolString string;
+  std::optional<Phenotype> phenotype;  ///< of alphabets that have bodies
+};
+
+std::optional<Developed> DevelopIn(const Genotype& genotype,
+                                   const Environment& environment) {
+  Developed developed;
+  developed.active = Regulate(genotype, environment);
+  std::optional<SymbolString> string = Derive(genotype, developed.active);
+  if (!string) return std::nullopt;
+  developed.string = std::move(*string);
+  if (genotype.alphabet->is_built_in())
+    developed.phenotype = Develop(genotype, developed.string);
+  return developed;
+}
+
+void PrintSymbols(const Genotype& genotype, const SymbolString& string,
+                  std::ostream& out) {
+  for (const Occurrence& occurrence : string) {
+    Symbol symbol{occurrence.symbol, {}};
+    if (occurrence.rule != kNoRule)
+      symbol = genotype.rules[occurrence.rule].production[occurrence.position];
+    out << ' ' << PrintSymbol(symbol, *genotype.alphabet);
+  }
+}
+
+// The derivation as the paper prints it, an iteration a line.
+void PrintDerivation(const Genotype& genotype, const ActiveRules& active,
+                     std::ostream& out) {
+  const auto steps = DeriveSteps(genotype, active);
+  for (std::size_t i = 0; steps && i < steps->size(); ++i) {
+    out << fmt::format("Iteration {}:", i);
+    PrintSymbols(genotype, (*steps)[i], out);
+    out << '\n';
+  }
+}
+
+void PrintBody(const Phenotype& phenotype, std::ostream& out) {
+  const BodyDescriptors body = DescribeBody(phenotype.body);
+  const BrainDescriptors brain = DescribeBrain(phenotype);
+  out << BodyText(phenotype.body);
+  out << fmt::format(
+      "{} modules: core, {} bricks, {} joints; {} touch sensors\n"
+      "brain: {} nodes, {} edges; sensors reach {:.2f}, recurrence {:.2f}\n",
+      body.absolute_size, body.brick_count, body.hinge_count,
+      body.touch_sensor_count, phenotype.brain.nodes.size(),
+      phenotype.brain.connections.size(), brain.sensors_reach,
+      brain.recurrence);
+}
+
+void PrintText(const Genotype& genotype, const NamedEnvironment& named,
+               const Developed& developed, std::ostream& out) {
+  const std::string senses =
+      PrintEnvironment(named.environment, genotype.states);
+  out << fmt::format("{} in {}", genotype.name, named.name);
+  if (!senses.empty() && senses != named.name) out << " (" << senses << ")";
+  out << fmt::format(": {} of {} rules active, {} symbols\n",
+                     developed.active.rules.size(), genotype.rules.size(),
+                     developed.string.size());
+  if (developed.phenotype)
+    PrintBody(*developed.phenotype, out);
+  else
+    PrintDerivation(genotype, developed.active, out);
+  out << '\n';
+}
+
+// "gecko-inclined_True.svg": a name that every file system takes.
+std::string FileName(const std::string& genotype,
+                     const std::string& environment) {
+  std::string name = genotype + "-" + environment;
+  for (char& c : name)
+    if (std::isalnum(static_cast<unsigned char>(c)) == 0 && c != '-') c = '_';
+  return name + ".svg";
+}
+
+bool WriteSvg(const DevelopCommand& command, const Genotype& genotype,
+              const NamedEnvironment& named, const Body& body, Io& io) {
+  std::error_code error;
+  std::filesystem::create_directories(command.svg_folder, error);
+  const std::string path = (std::filesystem::path(command.svg_folder) /
+                            FileName(genotype.name, named.name))
+                               .string();
+  const auto failure =
+      WriteFile(path, BodySvg(body, genotype.name + ", " + named.name));
+  if (failure)
+    io.err << fmt::format("error: cannot write '{}': {}\n", path, *failure);
+  else
+    io.err << fmt::format("wrote {}\n", path);
+  return !failure;
+}
+
+void ReportGrowth(const Genotype& genotype, const NamedEnvironment& named,
+                  Io& io) {
+  io.err << fmt::format(
+      "error[P4001]: in {}, development would produce more than {} symbols\n"
+      "  = help: lower 'iterations' (now {}), or let rules replace themselves "
+      "by fewer modules\n",
+      named.name, kMaxStringLength, genotype.development.iterations);
+}
+
+}  // namespace
+
+Exit Run(const DevelopCommand& command, Io& io) {
+  const auto program = LoadProgram(command.file, command.allow_range, io);
+  if (!program) return Exit::kBadInput;
+  const Genotype& genotype = program->genotype;
+  if (!command.svg_folder.empty() && !genotype.alphabet->is_built_in()) {
+    io.err << fmt::format(
+        "error: --svg draws bodies, and alphabet '{}' has "
+        "none\n",
+        genotype.alphabet->name());
+    return Exit::kBadUsage;
+  }
+  const auto environments =
+      ChooseEnvironments(*program, command.environments, io);
+  if (!environments) return Exit::kBadUsage;
+
+  for (const NamedEnvironment& named : *environments) {
+    const auto developed = DevelopIn(genotype, named.environment);
+    if (!developed) {
+      ReportGrowth(genotype, named, io);
+      return Exit::kBadInput;
+    }
+    const Phenotype* phenotype =
+        developed->phenotype ? &*developed->phenotype : nullptr;
+    if (command.format == Format::kJson)
+      io.out << DevelopmentJson(genotype, named.environment, developed->string,
+                                phenotype)
+             << '\n';
+    else
+      PrintText(genotype, named, *developed, io.out);
+    if (!command.svg_folder.empty() &&
+        !WriteSvg(command, genotype, named, phenotype->body, io))
+      return Exit::kBadInput;
+  }
+  return Exit::kFine;
+}
+
+}  // namespace plsc::cli

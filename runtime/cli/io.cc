@@ -1,0 +1,133 @@
+#include "runtime/cli/io.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <istream>
+#include <iterator>
+#include <ostream>
+
+namespace plsc::cli {
+
+namespace {
+
+constexpr std::size_t kMaxFileBytes = 16u << 20;
+
+// Closes what open() returned.
+class File {
+ public:
+  explicit File(int descriptor) : descriptor_(descriptor) {}
+  ~File() {
+    if (descriptor_ >= 0) ::close(descriptor_);
+  }
+  File(const File&) = delete;
+  File& operator=(const File&) = delete;
+  int get() const { return descriptor_; }
+
+ private:
+  int descriptor_;
+};
+
+Diagnostic Unreadable(std::string code, std::string message) {
+  Diagnostic diagnostic;
+  diagnostic.code = std::move(code);
+  diagnostic.message = std::move(message);
+  return diagnostic;
+}
+
+Diagnostic CannotRead(const std::string& path, int error) {
+  return Unreadable(
+      "P5014", fmt::format("cannot read '{}': {}", path, std::strerror(error)));
+}
+
+Diagnostic TooLarge(const std::string& path) {
+  return Unreadable("P5015", fmt::format("'{}' is larger than 16 MiB", path));
+}
+
+Result<Source> ReadStandardInput(Io& io) {
+  std::string text;
+  char buffer[4096];
+  while (io.in.read(buffer, sizeof buffer) || io.in.gcount() > 0) {
+    text.append(buffer, static_cast<std::size_t>(io.in.gcount()));
+    if (text.size() > kMaxFileBytes) return TooLarge("<stdin>");
+  }
+  return Source("<stdin>", std::move(text));
+}
+
+// Read, not mapped: a file truncated meanwhile must not raise SIGBUS.
+Result<Source> ReadWhole(const std::string& path, int descriptor) {
+  std::string text;
+  char buffer[65536];
+  for (;;) {
+    const ssize_t count = ::read(descriptor, buffer, sizeof buffer);
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) return CannotRead(path, errno);
+    if (count == 0) break;
+    text.append(buffer, static_cast<std::size_t>(count));
+    if (text.size() > kMaxFileBytes) return TooLarge(path);
+  }
+  return Source(path, std::move(text));
+}
+
+bool WriteAll(int descriptor, std::string_view text) {
+  while (!text.empty()) {
+    const ssize_t count = ::write(descriptor, text.data(), text.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) return false;
+    text.remove_prefix(static_cast<std::size_t>(count));
+  }
+  return true;
+}
+
+}  // namespace
+
+Result<Source> ReadSource(const std::string& path, Io& io) {
+  if (path == "-") return ReadStandardInput(io);
+  const File file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+  if (file.get() < 0) return CannotRead(path, errno);
+  struct stat status {};
+  if (::fstat(file.get(), &status) == 0 && S_ISDIR(status.st_mode))
+    return CannotRead(path, EISDIR);
+  return ReadWhole(path, file.get());
+}
+
+std::optional<std::string> WriteFile(const std::string& path,
+                                     std::string_view text) {
+  // A symbolic link stays one: what it points to is replaced.
+  std::string target = path;
+  if (char* real = ::realpath(path.c_str(), nullptr)) {
+    target = real;
+    ::free(real);
+  }
+  struct stat status {};
+  const bool exists = ::stat(target.c_str(), &status) == 0;
+  if (exists && ::access(target.c_str(), W_OK) != 0)
+    return std::strerror(errno);
+  const mode_t mode = exists ? status.st_mode & 07777 : 0666;
+  // The process number keeps two writers from sharing a neighbour file.
+  const std::string neighbour = fmt::format("{}.{}.new", target, ::getpid());
+  int error = 0;
+  {
+    const File file(::open(neighbour.c_str(),
+                           O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode));
+    if (file.get() < 0) return std::strerror(errno);
+    if (exists) ::fchmod(file.get(), mode);
+    if (!WriteAll(file.get(), text) || ::fsync(file.get()) != 0) error = errno;
+  }
+  if (error == 0 && ::rename(neighbour.c_str(), target.c_str()) == 0)
+    return std::nullopt;
+  if (error == 0) error = errno;
+  ::unlink(neighbour.c_str());
+  return std::strerror(error);
+}
+
+void Report(const std::vector<Diagnostic>& diagnostics, const Source& source,
+            Io& io) {
+  io.err << Render(diagnostics, source);
+}
+
+}  // namespace plsc::cli

@@ -1,0 +1,43 @@
+#pragma once
+
+// The outside world as the commands see it: streams, the exit status, files by
+// name. Tests put string streams in its place.
+
+#include <iosfwd>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "grammar/result.h"
+#include "grammar/source.h"
+
+namespace plsc::cli {
+
+/// Exit status of every command.
+enum class Exit : int {
+  kFine = 0,
+  kBadInput = 1,  ///< a file or a value is wrong; nothing was written
+  kBadUsage = 2,  ///< the command line is wrong
+};
+
+struct Io {
+  std::istream& in;
+  std::ostream& out;
+  std::ostream& err;
+  bool err_is_terminal = false;  ///< progress lines may be redrawn
+};
+
+/// The whole file, or of standard input for "-". Errors name the path and the
+/// system's reason; files over 16 MiB are refused (a genotype has kilobytes).
+Result<Source> ReadSource(const std::string& path, Io& io);
+
+/// Replaces `path` as a whole or not at all: writes a neighbour file, flushes
+/// it to the disk and renames it. The reason when that fails.
+std::optional<std::string> WriteFile(const std::string& path,
+                                     std::string_view text);
+
+/// Prints diagnostics to io.err.
+void Report(const std::vector<Diagnostic>& diagnostics, const Source& source,
+            Io& io);
+
+}  // namespace plsc::cli

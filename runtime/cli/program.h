@@ -1,0 +1,24 @@
+#pragma once
+
+// Reading a genotype file for a command: the same errors whichever command
+// asked.
+
+#include <optional>
+#include <string>
+
+#include "compiler/program.h"
+#include "runtime/cli/io.h"
+
+namespace plsc::cli {
+
+/// Reads and compiles; prints what is wrong (and warnings) to io.err.
+std::optional<Program> LoadProgram(const std::string& path, bool allow_range,
+                                   Io& io);
+
+/// The environments that a command line means: each `text` is a name that the
+/// file declares, or "state=value,...". Without any: all that the file
+/// declares, or the only one when nothing is sensed. Prints what is wrong.
+std::optional<std::vector<NamedEnvironment>> ChooseEnvironments(
+    const Program& program, const std::vector<std::string>& texts, Io& io);
+
+}  // namespace plsc::cli

@@ -1,0 +1,118 @@
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <ostream>
+
+#include "compiler/print.h"
+#include "runtime/cli/commands.h"
+#include "runtime/cli/program.h"
+#include "runtime/evaluation.h"
+#include "runtime/formats/season_json.h"
+#include "runtime/formats/trajectory_csv.h"
+#include "runtime/scenario.h"
+
+namespace plsc::cli {
+
+namespace {
+
+std::optional<Scenario> LoadScenario(const std::string& path, Io& io) {
+  if (path.empty()) return PaperScenario();
+  const Result<Source> source = ReadSource(path, io);
+  if (!source) {
+    io.err << fmt::format("error[{}]: {}\n", source.diagnostics()[0].code,
+                          source.diagnostics()[0].message);
+    return std::nullopt;
+  }
+  const Result<Scenario> scenario = ParseScenario(*source);
+  Report(scenario.diagnostics(), *source, io);
+  if (!scenario) return std::nullopt;
+  return *scenario;
+}
+
+// Every season must say what the genotype senses, before any is simulated.
+bool CanSense(const Scenario& scenario, const Genotype& genotype, Io& io) {
+  bool can = true;
+  for (const Season& season : scenario.seasons) {
+    const Result<Environment> sensed = Sense(season, genotype.states);
+    if (sensed) continue;
+    can = false;
+    for (const Diagnostic& problem : sensed.diagnostics())
+      io.err << fmt::format("error: {}\n", problem.message);
+  }
+  return can;
+}
+
+void PrintHeader(std::ostream& out) {
+  out << fmt::format("{:<12} {:>5} {:>6} {:>7} {:>11} {:>8} {:>9}  {}\n",
+                     "season", "size", "joints", "sensors", "speed cm/s",
+                     "balance", "fitness", "outcome");
+}
+
+void PrintRow(const SeasonResult& result, std::ostream& out) {
+  constexpr double kCentimetres = 100;  // the paper's unit of Speed
+  const std::string speed =
+      result.behaviour.is_valid
+          ? fmt::format(
+                "{:.3f}",
+                kCentimetres * result.behaviour.displacement_velocity_hill)
+          : "-";
+  const std::string balance =
+      result.behaviour.is_valid
+          ? fmt::format("{:.4f}", result.behaviour.head_balance)
+          : "-";
+  const std::string fitness =
+      result.fitness ? fmt::format("{:.5f}", *result.fitness) : "none";
+  out << fmt::format("{:<12} {:>5} {:>6} {:>7} {:>11} {:>8} {:>9}  {}\n",
+                     result.season, result.body.absolute_size,
+                     result.body.hinge_count, result.body.touch_sensor_count,
+                     speed, balance, fitness, OutcomeName(result.outcome));
+}
+
+bool WriteTrajectory(const std::string& folder, const std::string& season,
+                     const Trajectory& trajectory, Io& io) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  const std::string path =
+      (std::filesystem::path(folder) / (season + ".csv")).string();
+  const auto failure = WriteFile(path, TrajectoryCsv(trajectory));
+  if (failure)
+    io.err << fmt::format("error: cannot write '{}': {}\n", path, *failure);
+  else
+    io.err << fmt::format("wrote {}\n", path);
+  return !failure;
+}
+
+}  // namespace
+
+Exit Run(const SimulateCommand& command, Io& io) {
+  const auto program = LoadProgram(command.file, false, io);
+  if (!program) return Exit::kBadInput;
+  const Genotype& genotype = program->genotype;
+  if (!genotype.alphabet->is_built_in()) {
+    io.err << fmt::format("error: alphabet '{}' has no bodies to simulate\n",
+                          genotype.alphabet->name());
+    return Exit::kBadInput;
+  }
+  const auto scenario = LoadScenario(command.scenario, io);
+  if (!scenario || !CanSense(*scenario, genotype, io)) return Exit::kBadInput;
+
+  if (command.format == Format::kText) {
+    io.out << genotype.name << " in scenario " << scenario->name << '\n';
+    PrintHeader(io.out);
+  }
+  for (const Season& season : scenario->seasons) {
+    const SeasonLife life = LiveSeason(genotype, *scenario, season);
+    if (command.format == Format::kText)
+      PrintRow(life.result, io.out);
+    else
+      io.out << SeasonJson(genotype.name, life.result) << '\n';
+    if (!command.trajectory_folder.empty() &&
+        !WriteTrajectory(command.trajectory_folder, season.name,
+                         life.trajectory, io))
+      return Exit::kBadInput;
+  }
+  return Exit::kFine;
+}
+
+}  // namespace plsc::cli

@@ -1,0 +1,175 @@
+#include "runtime/environment.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <map>
+#include <optional>
+
+namespace plsc {
+
+namespace {
+
+struct Assignment {
+  Span name;
+  Span value;
+};
+
+std::string_view At(const Source& source, Span span) {
+  return source.text().substr(span.begin, span.end - span.begin);
+}
+
+bool IsBlank(char c) {
+  return c == ' ' || c == '\t';
+}
+
+Span Trim(const Source& source, Span span) {
+  const std::string_view text = source.text();
+  while (span.begin < span.end && IsBlank(text[span.begin])) ++span.begin;
+  while (span.end > span.begin && IsBlank(text[span.end - 1])) --span.end;
+  return span;
+}
+
+Diagnostic Error(Span span, std::string message, std::string help) {
+  Diagnostic diagnostic;
+  diagnostic.span = span;
+  diagnostic.message = std::move(message);
+  diagnostic.help = std::move(help);
+  return diagnostic;
+}
+
+// "a=1, b = 2" into its parts; an empty text has none.
+Result<std::vector<Assignment>> Split(const Source& source) {
+  std::vector<Assignment> assignments;
+  const std::string_view text = source.text();
+  const auto size = static_cast<std::uint32_t>(text.size());
+  if (Trim(source, {0, size}).begin == size) return assignments;
+  for (std::uint32_t begin = 0; begin <= size;) {
+    const auto comma = static_cast<std::uint32_t>(
+        std::min(text.find(',', begin), text.size()));
+    const Span part = Trim(source, {begin, comma});
+    const std::size_t equals = At(source, part).find('=');
+    if (equals == std::string_view::npos)
+      return Error(part, "expected STATE=VALUE",
+                   "write an environment as inclined=True,hot=False");
+    const auto middle = part.begin + static_cast<std::uint32_t>(equals);
+    assignments.push_back({Trim(source, {part.begin, middle}),
+                           Trim(source, {middle + 1, part.end})});
+    begin = comma + 1;
+  }
+  return assignments;
+}
+
+Diagnostic WrongValue(const Source& source, Span span, const State& state) {
+  Diagnostic diagnostic =
+      Error(span,
+            fmt::format("expected {} for state '{}', found '{}'",
+                        ExpectedValue(state), state.name, At(source, span)),
+            "");
+  diagnostic.code = "P2006";
+  return diagnostic;
+}
+
+Diagnostic Missing(const Source& source, const State& state) {
+  const auto end = static_cast<std::uint32_t>(source.text().size());
+  const char* example = state.type == StateType::kBool ? "True"
+                        : state.type == StateType::kEnum
+                            ? state.values.front().c_str()
+                            : "0.5";
+  Diagnostic diagnostic = Error(
+      {end, end}, fmt::format("no value for state '{}'", state.name),
+      fmt::format("every state that the genotype senses needs a value: add "
+                  "{}={}",
+                  state.name, example));
+  diagnostic.code = "P2009";
+  return diagnostic;
+}
+
+}  // namespace
+
+std::optional<double> ParseStateValue(std::string_view text,
+                                      const State& state) {
+  switch (state.type) {
+    case StateType::kBool:
+      if (text == "True") return 1;
+      if (text == "False") return 0;
+      return std::nullopt;
+    case StateType::kEnum: {
+      const auto found =
+          std::find(state.values.begin(), state.values.end(), text);
+      if (found == state.values.end()) return std::nullopt;
+      return static_cast<double>(found - state.values.begin());
+    }
+    case StateType::kReal: {
+      double value = 0;
+      const auto [end, error] =
+          std::from_chars(text.data(), text.data() + text.size(), value);
+      if (error != std::errc() || end != text.data() + text.size() ||
+          !std::isfinite(value) || value < state.low || value > state.high)
+        return std::nullopt;
+      return value;
+    }
+  }
+  return std::nullopt;
+}
+
+std::string ExpectedValue(const State& state) {
+  switch (state.type) {
+    case StateType::kBool:
+      return "True or False";
+    case StateType::kReal:
+      return fmt::format("a number in {}..{}", state.low, state.high);
+    case StateType::kEnum:
+      return fmt::format("one of {}", fmt::join(state.values, ", "));
+  }
+  return "";
+}
+
+Result<Environment> ParseEnvironment(const Source& source,
+                                     const std::vector<State>& states) {
+  const Result<std::vector<Assignment>> assignments = Split(source);
+  if (!assignments) return assignments.diagnostics();
+
+  std::vector<Diagnostic> errors;
+  std::vector<Diagnostic> warnings;
+  std::vector<std::optional<double>> values(states.size());
+  std::map<std::string_view, Span> seen;
+  for (const auto& [name_span, value_span] : *assignments) {
+    const std::string_view name = At(source, name_span);
+    if (!seen.emplace(name, name_span).second) {
+      errors.push_back(
+          Error(name_span, fmt::format("state '{}' is given twice", name), ""));
+      continue;
+    }
+    const auto state =
+        std::find_if(states.begin(), states.end(),
+                     [&](const State& s) { return s.name == name; });
+    if (state == states.end()) {
+      Diagnostic warning = Error(
+          name_span,
+          fmt::format("the genotype does not sense '{}'; ignored", name), "");
+      warning.severity = Severity::kWarning;
+      warnings.push_back(std::move(warning));
+      continue;
+    }
+    auto& value = values[static_cast<std::size_t>(state - states.begin())];
+    value = ParseStateValue(At(source, value_span), *state);
+    if (!value) errors.push_back(WrongValue(source, value_span, *state));
+  }
+
+  Environment environment;
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    if (!seen.contains(states[i].name))
+      errors.push_back(Missing(source, states[i]));
+    environment.values.push_back(values[i].value_or(0));
+  }
+  if (!errors.empty()) {
+    errors.insert(errors.end(), warnings.begin(), warnings.end());
+    return errors;
+  }
+  return {std::move(environment), std::move(warnings)};
+}
+
+}  // namespace plsc

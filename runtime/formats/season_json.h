@@ -1,0 +1,17 @@
+#pragma once
+
+// What a robot did in one season, as one JSON object.
+
+#include <string>
+
+#include "runtime/evaluation.h"
+
+namespace plsc {
+
+/// What `plsc simulate --format json` prints a season: genotype, season,
+/// outcome, fitness (m/s or null), behaviour (or null), body_descriptors,
+/// brain_descriptors, state_hash (16 hexadecimal digits). A line without its
+/// end.
+std::string SeasonJson(const std::string& genotype, const SeasonResult& result);
+
+}  // namespace plsc

@@ -1,0 +1,37 @@
+#!/usr/bin/env bash
+# Installs what is missing, builds, and runs all tests.
+set -eu
+cd "$(dirname "$0")/.."
+. .ci/setup.sh
+
+usage() {
+  cat <<'TXT'
+usage: tests/run.sh [--preset release|debug|sanitize] [--fast]
+
+Installs missing Debian packages (as root or with sudo), builds into
+build/PRESET and runs all tests. Works on a fresh Debian 12 machine.
+
+  --preset P  how to build (default: release)
+  --fast      leave out the tests labelled slow
+TXT
+}
+
+preset=release
+labels=()
+while [ $# -gt 0 ]; do
+  case "$1" in
+    --preset)
+      case "${2-}" in
+        release | debug | sanitize) preset=$2 ;;
+        *) usage >&2; echo "tests/run.sh: --preset needs release, debug or sanitize" >&2; exit 2 ;;
+      esac
+      shift 2 ;;
+    --fast) labels=(-L fast); shift ;;
+    -h | --help) usage; exit 0 ;;
+    *) usage >&2; echo "tests/run.sh: unknown argument '$1'" >&2; exit 2 ;;
+  esac
+done
+
+plsc_install $PLSC_PACKAGES
+plsc_build "$preset"
+ctest --preset "$preset" -j"$(nproc)" "${labels[@]}"

@@ -1,0 +1,43 @@
+#include "runtime/formats/body_text.h"
+
+#include <catch2/catch.hpp>
+
+#include "runtime/body_turtle.h"
+
+namespace plsc {
+namespace {
+
+TEST_CASE("a body is drawn from above, its front up", "[body_text]") {
+  BodyTurtle turtle(15, false);
+  turtle.SetSlot(Slot::kLeft);
+  REQUIRE(turtle.Mount(ModuleType::kHorizontalJoint));
+  turtle.SetSlot(Slot::kFront);
+  REQUIRE(turtle.Mount(ModuleType::kBrick));
+  turtle.Move(Slot::kFront);
+  turtle.SetSlot(Slot::kRight);
+  REQUIRE(turtle.Mount(ModuleType::kTouchSensor));
+  CHECK(BodyText(turtle.body()) ==
+        "       ┌─────┐\n"
+        "       │ B 3 T\n"
+        "       └──•──┘\n"
+        "┌─────┐┌─────┐\n"
+        "│A2 2 •│ C 1 │\n"
+        "└─────┘└─────┘\n");
+}
+
+TEST_CASE("numbers of three digits fit the box", "[body_text]") {
+  Body body;
+  Module core;
+  core.number = 1;
+  Module joint;
+  joint.type = ModuleType::kVerticalJoint;
+  joint.number = 123;
+  joint.parent = 0;
+  joint.slot = Slot::kFront;
+  joint.y = 1;
+  body.modules = {core, joint};
+  CHECK(BodyText(body).find("│A1123│") != std::string::npos);
+}
+
+}  // namespace
+}  // namespace plsc
