@@ -49,7 +49,7 @@ struct BrainDescriptors {
 };
 
 BodyDescriptors DescribeBody(const Body& body);
-/// All zero when no joint carries a module (reference 12).
+/// All zero when no joint carries a module.
 BrainDescriptors DescribeBrain(const Phenotype& phenotype);
 
 /// A descriptor for tables and files; counts are whole numbers.

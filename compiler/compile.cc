@@ -1,0 +1,64 @@
+#include "compiler/compile.h"
+
+#include <algorithm>
+#include <cassert>
+#include <iterator>
+#include <utility>
+
+#include "compiler/check.h"
+#include "compiler/lower.h"
+#include "compiler/resolve.h"
+#include "compiler/scope.h"
+#include "compiler/verify.h"
+#include "grammar/parse.h"
+
+namespace plsc {
+
+namespace {
+
+using Diagnostics = std::vector<Diagnostic>;
+
+void Append(Diagnostics more, Diagnostics* all) {
+  std::move(more.begin(), more.end(), std::back_inserter(*all));
+}
+
+bool HasErrors(const Diagnostics& diagnostics) {
+  return std::any_of(
+      diagnostics.begin(), diagnostics.end(),
+      [](const Diagnostic& d) { return d.severity == Severity::kError; });
+}
+
+void SortByPosition(Diagnostics* diagnostics) {
+  std::stable_sort(diagnostics->begin(), diagnostics->end(),
+                   [](const Diagnostic& a, const Diagnostic& b) {
+                     return a.span.begin < b.span.begin;
+                   });
+}
+
+}  // namespace
+
+Result<Program> Compile(const Source& source, const CompileOptions& options) {
+  ParseResult parsed = Parse(source);
+  Diagnostics diagnostics = std::move(parsed.diagnostics);
+  const ast::File& file = parsed.file;
+  // Nothing of the file was read (binary, empty, another version).
+  if (file.is_incomplete && file.items.empty()) return diagnostics;
+
+  Scope scope = Declare(file);
+  Resolution resolution = Resolve(file, scope);
+  Append(std::move(scope.diagnostics), &diagnostics);
+  Append(std::move(resolution.diagnostics), &diagnostics);
+  Append(Check(file, scope, resolution, options), &diagnostics);
+  if (HasErrors(diagnostics)) {
+    SortByPosition(&diagnostics);
+    return diagnostics;
+  }
+
+  Append(CheckClauses(file, scope, resolution), &diagnostics);
+  SortByPosition(&diagnostics);
+  Program program = Lower(file, scope, resolution);
+  assert(options.allow_out_of_range || Verify(program).empty());
+  return {std::move(program), std::move(diagnostics)};
+}
+
+}  // namespace plsc

@@ -1,0 +1,204 @@
+#include "compiler/print.h"
+
+#include <array>
+#include <cassert>
+#include <charconv>
+#include <string_view>
+
+#include "compiler/print_alphabet.h"
+
+namespace plsc {
+
+namespace {
+
+void AppendNumber(double value, std::string* text) {
+  // Shortest forms have at most 24 characters ("-2.2250738585072014e-308").
+  std::array<char, 32> buffer;
+  const auto [end, error] =
+      std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
+  assert(error == std::errc());
+  text->append(buffer.data(), end);
+}
+
+void AppendInt(std::int64_t value, std::string* text) {
+  std::array<char, 24> buffer;
+  const auto [end, error] =
+      std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
+  assert(error == std::errc());
+  text->append(buffer.data(), end);
+}
+
+// Of an integer parameter: the shortest double may need an exponent (1e+15),
+// which is no whole number in plsc.
+void AppendArgument(double value, bool is_integer, std::string* text) {
+  if (is_integer && value != 0)
+    AppendInt(static_cast<std::int64_t>(value), text);
+  else
+    AppendNumber(value, text);
+}
+
+void AppendSymbol(const Symbol& symbol, const Alphabet& alphabet,
+                  std::string* text) {
+  const SymbolInfo& info = alphabet[symbol.id];
+  *text += info.name;
+  if (info.parameters.empty()) return;
+  *text += '(';
+  for (std::size_t i = 0; i < info.parameters.size(); ++i) {
+    if (i > 0) *text += ", ";
+    AppendArgument(symbol.arguments[i], info.parameters[i].is_integer, text);
+  }
+  *text += ')';
+}
+
+void AppendValue(double value, const State& state, std::string* text) {
+  switch (state.type) {
+    case StateType::kBool:
+      *text += value != 0 ? "True" : "False";
+      break;
+    case StateType::kReal:
+      AppendNumber(value, text);
+      break;
+    case StateType::kEnum:
+      *text += state.values[static_cast<std::size_t>(value)];
+      break;
+  }
+}
+
+std::string_view ComparisonText(Comparison comparison) {
+  static constexpr std::array<std::string_view, 6> kTexts = {
+      " = ", " != ", " < ", " <= ", " > ", " >= "};
+  return kTexts[static_cast<std::size_t>(comparison)];
+}
+
+void AppendClause(const Clause& clause, const std::vector<State>& states,
+                  std::string* text) {
+  for (std::size_t i = 0; i < clause.terms.size(); ++i) {
+    if (i > 0)
+      *text += clause.connectives[i - 1] == Connective::kAnd ? " and " : " or ";
+    const Term& term = clause.terms[i];
+    const State& state = states[static_cast<std::size_t>(term.state)];
+    *text += state.name;
+    *text += ComparisonText(term.comparison);
+    AppendValue(term.value, state, text);
+  }
+}
+
+void AppendSetting(std::string_view name, int value, std::string* text) {
+  *text += name;
+  *text += ' ';
+  AppendInt(value, text);
+  *text += '\n';
+}
+
+void AppendSense(const State& state, std::string* text) {
+  *text += "sense " + state.name + ": ";
+  switch (state.type) {
+    case StateType::kBool:
+      *text += "bool";
+      break;
+    case StateType::kReal:
+      *text += "real in ";
+      AppendNumber(state.low, text);
+      *text += "..";
+      AppendNumber(state.high, text);
+      break;
+    case StateType::kEnum:
+      *text += "{ ";
+      for (std::size_t i = 0; i < state.values.size(); ++i) {
+        if (i > 0) *text += ", ";
+        *text += state.values[i];
+      }
+      *text += " }";
+      break;
+  }
+  *text += '\n';
+}
+
+void AppendHeader(const Genotype& genotype, std::string* text) {
+  *text += "plsc 1\n\ngenotype " + genotype.name + "\n";
+  *text += PrintAlphabet(*genotype.alphabet);
+  for (const State& state : genotype.states) AppendSense(state, text);
+  *text += "axiom " + (*genotype.alphabet)[genotype.axiom].name + "\n";
+  AppendSetting("iterations", genotype.development.iterations, text);
+  AppendSetting("max_modules", genotype.development.max_modules, text);
+  *text += genotype.development.move_to_new ? "move_to_new True\n"
+                                            : "move_to_new False\n";
+  if (genotype.max_terms) AppendSetting("max_terms", *genotype.max_terms, text);
+  if (genotype.max_rules) AppendSetting("max_rules", *genotype.max_rules, text);
+}
+
+void AppendRule(const Rule& rule, const Genotype& genotype, std::string* text) {
+  *text += "\nrule " + (*genotype.alphabet)[rule.head].name + " -> ";
+  if (!rule.clause.is_always()) {
+    *text += "if ";
+    AppendClause(rule.clause, genotype.states, text);
+    *text += " then ";
+  }
+  *text += "{\n";
+  for (const Symbol& symbol : rule.production) {
+    *text += "  ";
+    AppendSymbol(symbol, *genotype.alphabet, text);
+    *text += '\n';
+  }
+  *text += "}\n";
+}
+
+void AppendEntries(const Environment& environment,
+                   const std::vector<State>& states, bool is_spaced,
+                   std::string* text) {
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    if (i > 0) *text += is_spaced ? ", " : ",";
+    *text += states[i].name;
+    *text += is_spaced ? " = " : "=";
+    AppendValue(environment.values[i], states[i], text);
+  }
+}
+
+}  // namespace
+
+std::string Print(const Genotype& genotype) {
+  std::string text;
+  AppendHeader(genotype, &text);
+  for (const Rule& rule : genotype.rules) AppendRule(rule, genotype, &text);
+  return text;
+}
+
+std::string Print(const Program& program) {
+  std::string text = Print(program.genotype);
+  const std::vector<State>& states = program.genotype.states;
+  if (!program.environments.empty()) text += '\n';
+  for (const NamedEnvironment& named : program.environments) {
+    text += "environment " + named.name + " {";
+    if (!states.empty()) text += ' ';
+    AppendEntries(named.environment, states, true, &text);
+    text += states.empty() ? "}\n" : " }\n";
+  }
+  return text;
+}
+
+std::string PrintClause(const Clause& clause, const Genotype& genotype) {
+  std::string text;
+  AppendClause(clause, genotype.states, &text);
+  return text;
+}
+
+std::string PrintSymbol(const Symbol& symbol, const Alphabet& alphabet) {
+  std::string text;
+  AppendSymbol(symbol, alphabet, &text);
+  return text;
+}
+
+std::string PrintEnvironment(const Environment& environment,
+                             const std::vector<State>& states) {
+  std::string text;
+  AppendEntries(environment, states, false, &text);
+  return text;
+}
+
+std::string PrintNumber(double value) {
+  std::string text;
+  AppendNumber(value, &text);
+  return text;
+}
+
+}  // namespace plsc

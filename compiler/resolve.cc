@@ -1,0 +1,273 @@
+#include "compiler/resolve.h"
+
+#include <fmt/format.h>
+
+#include <string>
+#include <utility>
+
+#include "compiler/foreign_names.h"
+#include "compiler/print.h"
+#include "grammar/number_error.h"
+#include "grammar/suggest.h"
+
+namespace plsc {
+
+namespace {
+
+// Nobody reads more, and a hostile file could hold millions.
+constexpr std::size_t kMaxErrors = 1000;
+
+template <typename T, typename Name>
+std::vector<std::string_view> NamesOf(const std::vector<T>& things, Name name) {
+  std::vector<std::string_view> names;
+  names.reserve(things.size());
+  for (const T& thing : things) names.push_back(name(thing));
+  return names;
+}
+
+class Resolver {
+ public:
+  Resolver(const ast::File& file, const Scope& scope)
+      : file_(file), scope_(scope) {
+    result_.heads.resize(file.rules.size());
+    result_.symbols.resize(file.symbols.size());
+    result_.arguments.resize(file.arguments.size());
+    result_.terms.resize(file.terms.size());
+    result_.entries.resize(file.entries.size());
+  }
+
+  Resolution Resolve() {
+    for (std::size_t i = 0; i < file_.rules.size(); ++i) ResolveRule(i);
+    for (const ast::Environment& environment : file_.environments)
+      for (std::uint32_t k = 0; k < environment.entries.count; ++k) {
+        const std::uint32_t at = environment.entries.first + k;
+        const ast::Entry& entry = file_.entries[at];
+        result_.entries[at] = ResolveTerm(entry.state, entry.value);
+      }
+    return std::move(result_);
+  }
+
+ private:
+  void Report(const char* code, Span span, std::string message,
+              std::string label = "") {
+    if (result_.diagnostics.size() >= kMaxErrors) return;
+    Diagnostic diagnostic;
+    diagnostic.code = code;
+    diagnostic.span = span;
+    diagnostic.message = std::move(message);
+    diagnostic.label = std::move(label);
+    result_.diagnostics.push_back(std::move(diagnostic));
+  }
+
+  void SuggestAmong(const std::vector<std::string_view>& known, Span span) {
+    if (result_.diagnostics.size() >= kMaxErrors) return;
+    const auto near = Suggest(file_.Text(span), known);
+    if (!near) return;
+    Diagnostic& diagnostic = result_.diagnostics.back();
+    diagnostic.label = fmt::format("did you mean '{}'?", *near);
+    diagnostic.fixes.push_back({span, *near});
+  }
+
+  void ResolveRule(std::size_t index) {
+    const ast::Rule& rule = file_.rules[index];
+    result_.heads[index] = ResolveSymbol(rule.head);
+    for (std::uint32_t k = 0; k < rule.terms.count; ++k) {
+      const ast::Term& term = file_.terms[rule.terms.first + k];
+      ResolvedTerm& resolved = result_.terms[rule.terms.first + k];
+      resolved = ResolveTerm(term.state, term.value);
+      if (!resolved) continue;
+      resolved->comparison = static_cast<Comparison>(term.comparison);
+      if (!IsOrdered(resolved->state) && term.comparison != kEqual &&
+          term.comparison != kNotEqual) {
+        Report("P2006", term.comparison_span,
+               fmt::format("'{}' cannot be compared with '{}'",
+                           file_.Text(term.state),
+                           file_.Text(term.comparison_span)),
+               "only '=' and '!=' here");
+        resolved.reset();
+      }
+    }
+    for (std::uint32_t k = 0; k < rule.symbols.count; ++k) {
+      const std::uint32_t at = rule.symbols.first + k;
+      const ast::Symbol& symbol = file_.symbols[at];
+      result_.symbols[at] = ResolveSymbol(symbol.name);
+      for (std::uint32_t a = 0; a < symbol.arguments.count; ++a)
+        ResolveArgument(symbol.arguments.first + a);
+    }
+  }
+
+  static constexpr auto kEqual = ast::Comparison::kEqual;
+  static constexpr auto kNotEqual = ast::Comparison::kNotEqual;
+
+  const State& StateOf(StateId id) const {
+    return scope_.header.states[static_cast<std::size_t>(id)];
+  }
+  bool IsOrdered(StateId id) const {
+    return StateOf(id).type == StateType::kReal;
+  }
+
+  std::optional<SymbolId> ResolveSymbol(Span name) {
+    const AlphabetPtr& alphabet = scope_.header.alphabet;
+    if (alphabet == nullptr) return std::nullopt;
+    const std::string_view text = file_.Text(name);
+    if (const auto id = alphabet->Find(text)) return id;
+    Report("P2001", name,
+           fmt::format("unknown symbol '{}' in alphabet '{}'", text,
+                       alphabet->name()));
+    const std::string_view foreign = alphabet->is_built_in()
+                                         ? PlasticodingNameFor(text)
+                                         : std::string_view();
+    if (foreign.empty()) {
+      SuggestAmong(NamesOf(alphabet->symbols(),
+                           [](const SymbolInfo& symbol) {
+                             return std::string_view(symbol.name);
+                           }),
+                   name);
+    } else if (result_.diagnostics.size() < kMaxErrors) {
+      Diagnostic& diagnostic = result_.diagnostics.back();
+      diagnostic.label = fmt::format("write '{}'", foreign);
+      diagnostic.notes.push_back(ForeignNote(text));
+    }
+    return std::nullopt;
+  }
+
+  const Constant* ResolveConstant(const ast::Value& value) {
+    const std::string_view name = file_.Text(value.span);
+    if (const Constant* constant = scope_.FindConstant(name)) return constant;
+    if (IsNotFiniteWord(name)) {
+      if (result_.diagnostics.size() < kMaxErrors)
+        result_.diagnostics.push_back(NotANumber(name, value.span));
+    } else if (!file_.is_incomplete) {
+      Report("P2009", value.span,
+             fmt::format("constant '{}' is not declared", name));
+      SuggestAmong(
+          NamesOf(scope_.constants,
+                  [](const Constant& constant) { return constant.name; }),
+          value.span);
+    }
+    return nullptr;
+  }
+
+  void ResolveArgument(std::uint32_t index) {
+    const ast::Value& value = file_.arguments[index];
+    ResolvedArgument& resolved = result_.arguments[index];
+    if (value.kind == ast::Value::Kind::kNumber) {
+      resolved = {value.number, value.is_integer, true};
+    } else if (const Constant* constant = ResolveConstant(value)) {
+      resolved = {constant->value, constant->is_integer, true};
+    }
+  }
+
+  ResolvedTerm ResolveTerm(Span state, const ast::Value& value) {
+    const std::string_view name = file_.Text(state);
+    const auto id = scope_.FindState(name);
+    if (!id) {
+      ReportUnknownState(state);
+      return std::nullopt;
+    }
+    Term term;
+    term.state = *id;
+    const auto number = ResolveValue(StateOf(*id), value);
+    if (!number) return std::nullopt;
+    term.value = *number;
+    return term;
+  }
+
+  void ReportUnknownState(Span state) {
+    // The item that declares it may be the one that did not parse.
+    if (file_.is_incomplete) return;
+    Report("P2005", state,
+           fmt::format("state '{}' is not declared", file_.Text(state)));
+    const std::vector<State>& states = scope_.header.states;
+    SuggestAmong(
+        NamesOf(states,
+                [](const State& s) { return std::string_view(s.name); }),
+        state);
+    if (result_.diagnostics.size() >= kMaxErrors) return;
+    Diagnostic& diagnostic = result_.diagnostics.back();
+    if (diagnostic.fixes.empty() && states.empty())
+      diagnostic.help =
+          fmt::format("declare it, as in 'sense {}: bool'", file_.Text(state));
+    if (diagnostic.fixes.empty()) return;
+    const auto known = scope_.FindState(diagnostic.fixes[0].replacement);
+    diagnostic.others.push_back(
+        {scope_.state_spans[static_cast<std::size_t>(*known)],
+         "declared here"});
+  }
+
+  std::optional<double> ResolveValue(const State& state,
+                                     const ast::Value& value) {
+    using Kind = ast::Value::Kind;
+    switch (state.type) {
+      case StateType::kBool:
+        if (value.kind == Kind::kTrue) return 1;
+        if (value.kind == Kind::kFalse) return 0;
+        break;
+      case StateType::kReal:
+        if (value.kind == Kind::kNumber) return value.number;
+        if (value.kind == Kind::kName) {
+          const Constant* constant = ResolveConstant(value);
+          if (constant == nullptr) return std::nullopt;
+          return constant->value;
+        }
+        break;
+      case StateType::kEnum:
+        if (value.kind == Kind::kName) return EnumIndex(state, value);
+        break;
+    }
+    ReportMismatch(state, value);
+    return std::nullopt;
+  }
+
+  std::optional<double> EnumIndex(const State& state, const ast::Value& value) {
+    const std::string_view text = file_.Text(value.span);
+    for (std::size_t i = 0; i < state.values.size(); ++i)
+      if (state.values[i] == text) return static_cast<double>(i);
+    Report("P2006", value.span,
+           fmt::format("state '{}' has no value '{}'", state.name, text),
+           fmt::format("it is one of {}", fmt::join(state.values, ", ")));
+    SuggestAmong(
+        NamesOf(state.values,
+                [](const std::string& v) { return std::string_view(v); }),
+        value.span);
+    return std::nullopt;
+  }
+
+  void ReportMismatch(const State& state, const ast::Value& value) {
+    const std::string_view text = file_.Text(value.span);
+    std::string message;
+    std::string label;
+    if (state.type == StateType::kBool) {
+      message = fmt::format("'{}' is a bool state and cannot be {}", state.name,
+                            text);
+      label = "use True or False";
+    } else if (state.type == StateType::kReal) {
+      message = fmt::format(
+          "'{}' is a real state and cannot be compared with "
+          "{}",
+          state.name, text);
+      label = fmt::format("compare with a number, as in '{} > {}'", state.name,
+                          PrintNumber((state.low + state.high) / 2));
+    } else {
+      message = fmt::format("'{}' cannot be {}", state.name, text);
+      label = fmt::format("it is one of {}", fmt::join(state.values, ", "));
+    }
+    Report("P2006", value.span, std::move(message), std::move(label));
+    if (result_.diagnostics.size() >= kMaxErrors) return;
+    const auto id = scope_.FindState(state.name);
+    result_.diagnostics.back().others.push_back(
+        {scope_.state_spans[static_cast<std::size_t>(*id)], "declared here"});
+  }
+
+  const ast::File& file_;
+  const Scope& scope_;
+  Resolution result_;
+};
+
+}  // namespace
+
+Resolution Resolve(const ast::File& file, const Scope& scope) {
+  return Resolver(file, scope).Resolve();
+}
+
+}  // namespace plsc

@@ -1,0 +1,331 @@
+#include "compiler/scope.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "compiler/limits.h"
+#include "compiler/own_alphabet.h"
+#include "grammar/suggest.h"
+
+namespace plsc {
+
+namespace {
+
+struct SettingInfo {
+  std::string_view name;
+  int low;
+  int high;
+};
+
+// By SettingKey; move_to_new has no range.
+constexpr std::array<SettingInfo, ast::kSettingCount> kSettings = {{
+    {"iterations", kMinIterations, kMaxIterations},
+    {"max_modules", kMinModules, kMaxModules},
+    {"move_to_new", 0, 0},
+    {"max_terms", kMinLimit, kMaxLimit},
+    {"max_rules", kMinLimit, kMaxLimit},
+}};
+
+class Declarer {
+ public:
+  explicit Declarer(const ast::File& file) : file_(file) {
+    scope_.header.alphabet = nullptr;
+  }
+
+  Scope Declare() {
+    for (const ast::Item& item : file_.items) DeclareItem(item);
+    if (scope_.header.name.empty()) scope_.header.name = kUnnamed;
+    FinishAlphabet();
+    FinishAxiom();
+    return std::move(scope_);
+  }
+
+ private:
+  Diagnostic& Report(const char* code, Span span, std::string message) {
+    Diagnostic diagnostic;
+    diagnostic.code = code;
+    diagnostic.span = span;
+    diagnostic.message = std::move(message);
+    return scope_.diagnostics.emplace_back(std::move(diagnostic));
+  }
+
+  // Whether this is the first item of `slot`; else says where the first is.
+  bool IsFirst(const ast::Item& item, Span* slot) {
+    if (slot->end == 0) {
+      *slot = item.span;
+      return true;
+    }
+    const std::string_view word = file_.Text(item.keyword);
+    Diagnostic& diagnostic =
+        Report("P2013", item.span, fmt::format("'{}' is given twice", word));
+    diagnostic.label = "again here";
+    diagnostic.others.push_back({*slot, "first here"});
+    if (item.kind == ast::ItemKind::kGenotype)
+      diagnostic.help = "a file holds one genotype";
+    return false;
+  }
+
+  void DeclareItem(const ast::Item& item) {
+    using enum ast::ItemKind;
+    switch (item.kind) {
+      case kGenotype:
+        if (IsFirst(item, &genotype_))
+          scope_.header.name = file_.Text(file_.genotypes[item.index].name);
+        break;
+      case kAlphabet:
+        if (IsFirst(item, &alphabet_))
+          DeclareAlphabetItem(file_.alphabets[item.index]);
+        break;
+      case kSense:
+        DeclareSense(file_.senses[item.index]);
+        break;
+      case kLet:
+        DeclareConstant(file_.lets[item.index]);
+        break;
+      case kAxiom:
+        if (IsFirst(item, &axiom_)) axiom_name_ = file_.axioms[item.index].name;
+        break;
+      case kSetting: {
+        const ast::Setting& setting = file_.settings[item.index];
+        Span* const slot = &settings_[static_cast<std::size_t>(setting.key)];
+        if (IsFirst(item, slot)) DeclareSetting(item, setting);
+        break;
+      }
+      case kRule:
+      case kEnvironment:
+        break;
+    }
+  }
+
+  void DeclareAlphabetItem(const ast::Alphabet& declared) {
+    const AlphabetPtr& built_in = PlasticodingAlphabet();
+    const std::string_view name = file_.Text(declared.name);
+    const bool is_built_in = name == built_in->name();
+    if (declared.is_own && is_built_in) {
+      Report("P2010", declared.name, "'plasticoding' is built in").help =
+          "write 'alphabet plasticoding 1', or choose another name";
+    } else if (declared.is_own) {
+      OwnAlphabet own = DeclareAlphabet(file_, declared);
+      std::move(own.diagnostics.begin(), own.diagnostics.end(),
+                std::back_inserter(scope_.diagnostics));
+      scope_.header.alphabet = std::move(own.alphabet);
+    } else if (!is_built_in) {
+      Diagnostic& diagnostic = Report(
+          "P2010", declared.name, fmt::format("unknown alphabet '{}'", name));
+      diagnostic.label = "the built-in alphabet is 'plasticoding 1'";
+      diagnostic.fixes.push_back({declared.name, built_in->name()});
+    } else if (!declared.version.is_integer ||
+               declared.version.number != built_in->version()) {
+      Report("P5003", declared.version.span,
+             fmt::format("this file needs alphabet plasticoding {}; this tool "
+                         "knows 1",
+                         file_.Text(declared.version.span)));
+    } else {
+      scope_.header.alphabet = built_in;
+    }
+  }
+
+  // A new name among `known`; else says where it was declared first.
+  bool IsNewState(Span name) {
+    if (scope_.header.states.size() == kMaxStates) {
+      Report("P3002", name,
+             fmt::format("a genotype has at most {} states", kMaxStates));
+      return false;
+    }
+    const auto known = scope_.FindState(file_.Text(name));
+    if (!known) return true;
+    Report("P2017", name,
+           fmt::format("state '{}' is declared twice", file_.Text(name)))
+        .others.push_back({scope_.state_spans[static_cast<std::size_t>(*known)],
+                           "first declared here"});
+    return false;
+  }
+
+  void DeclareSense(const ast::Sense& declared) {
+    if (!IsNewState(declared.name)) return;
+    State state;
+    state.name = file_.Text(declared.name);
+    switch (declared.type) {
+      case ast::SenseType::kBool:
+        break;
+      case ast::SenseType::kReal:
+        state.type = StateType::kReal;
+        state.low = declared.bounds.low.number;
+        state.high = declared.bounds.high.number;
+        if (!(state.low < state.high))
+          Report(
+              "P2016",
+              {declared.bounds.low.span.begin, declared.bounds.high.span.end},
+              fmt::format("the range of state '{}' is empty", state.name))
+              .label = "the lower bound must be less than the upper";
+        break;
+      case ast::SenseType::kEnum:
+        state.type = StateType::kEnum;
+        state.values = EnumValues(declared);
+        break;
+    }
+    scope_.header.states.push_back(std::move(state));
+    scope_.state_spans.push_back(declared.name);
+  }
+
+  std::vector<std::string> EnumValues(const ast::Sense& declared) {
+    std::vector<std::string> values;
+    const auto spans = ast::Slice(file_.names, declared.values);
+    if (spans.size() > kMaxSymbols) {
+      Report("P3002", spans[kMaxSymbols],
+             fmt::format("a state has at most {} values", kMaxSymbols));
+      return {"a", "b"};
+    }
+    for (const Span span : spans) {
+      const std::string_view value = file_.Text(span);
+      if (std::find(values.begin(), values.end(), value) != values.end())
+        Report("P2016", span, fmt::format("value '{}' is listed twice", value));
+      else
+        values.emplace_back(value);
+    }
+    if (spans.size() < 2)
+      Report("P2016", spans[0],
+             fmt::format("state '{}' has only one value",
+                         file_.Text(declared.name)))
+          .label = "a state that cannot change needs no sense";
+    return values;
+  }
+
+  void DeclareConstant(const ast::Let& declared) {
+    const std::string_view name = file_.Text(declared.name);
+    if (const Constant* known = scope_.FindConstant(name)) {
+      Report("P2017", declared.name,
+             fmt::format("constant '{}' is declared twice", name))
+          .others.push_back({known->span, "first declared here"});
+      return;
+    }
+    if (scope_.constants.size() == kMaxSymbols) {
+      Report("P3002", declared.name,
+             fmt::format("a file has at most {} constants", kMaxSymbols));
+      return;
+    }
+    scope_.constants.push_back({name, declared.name, declared.value.number,
+                                declared.value.is_integer});
+  }
+
+  void DeclareSetting(const ast::Item& item, const ast::Setting& setting) {
+    using enum ast::SettingKey;
+    const SettingInfo& info = kSettings[static_cast<std::size_t>(setting.key)];
+    if (setting.key == kMoveToNew) {
+      const bool is_true = setting.value.kind == ast::Value::Kind::kTrue;
+      if (!is_true && setting.value.kind != ast::Value::Kind::kFalse)
+        Report("P2014", setting.value.span,
+               "move_to_new must be True or False");
+      scope_.header.development.move_to_new = is_true;
+      return;
+    }
+    const auto number = SettingNumber(setting.value, info);
+    if (!number) return;
+    if (setting.key == kIterations) {
+      scope_.header.development.iterations = *number;
+    } else if (setting.key == kMaxModules) {
+      scope_.header.development.max_modules = *number;
+    } else if (setting.key == kMaxTerms) {
+      scope_.header.max_terms = *number;
+      scope_.max_terms_span = item.span;
+    } else {
+      scope_.header.max_rules = *number;
+      scope_.max_rules_span = item.span;
+    }
+  }
+
+  std::optional<int> SettingNumber(const ast::Value& value,
+                                   const SettingInfo& info) {
+    if (value.kind != ast::Value::Kind::kNumber || !value.is_integer) {
+      Report("P2014", value.span,
+             fmt::format("{} must be a whole number", info.name))
+          .label = fmt::format("from {} to {}", info.low, info.high);
+      return std::nullopt;
+    }
+    if (value.number < info.low || value.number > info.high) {
+      Report("P2014", value.span,
+             fmt::format("{} {} is outside {}..{}", info.name,
+                         file_.Text(value.span), info.low, info.high));
+      return std::nullopt;
+    }
+    return static_cast<int>(value.number);
+  }
+
+  void FinishAlphabet() {
+    if (alphabet_.end != 0 || file_.is_incomplete) return;
+    const std::uint32_t at = file_.version.end;
+    Diagnostic& diagnostic =
+        Report("P2012", {at, at}, "this file does not say its alphabet");
+    diagnostic.help = "add 'alphabet plasticoding 1'";
+    diagnostic.fixes.push_back({{at, at}, "\nalphabet plasticoding 1"});
+  }
+
+  void FinishAxiom() {
+    const AlphabetPtr& alphabet = scope_.header.alphabet;
+    if (alphabet == nullptr) return;
+    if (axiom_.end == 0) {
+      // SymbolId 0 is C, the paper's axiom.
+      if (alphabet->is_built_in() || file_.is_incomplete) return;
+      Report("P2012", alphabet_, "a file with its own alphabet needs an axiom")
+          .help = "add 'axiom NAME', the symbol that development starts from";
+      return;
+    }
+    const std::string_view name = file_.Text(axiom_name_);
+    const auto id = alphabet->Find(name);
+    if (!id) {
+      Diagnostic& diagnostic =
+          Report("P2001", axiom_name_,
+                 fmt::format("unknown symbol '{}' in alphabet '{}'", name,
+                             alphabet->name()));
+      std::vector<std::string_view> known;
+      for (const SymbolInfo& symbol : alphabet->symbols())
+        known.push_back(symbol.name);
+      if (const auto near = Suggest(name, known)) {
+        diagnostic.label = fmt::format("did you mean '{}'?", *near);
+        diagnostic.fixes.push_back({axiom_name_, *near});
+      }
+      return;
+    }
+    if (alphabet->is_built_in() && *id != plasticoding::kC)
+      Report("P2011", axiom_name_,
+             fmt::format("the axiom must be C, not '{}'", name))
+          .label = "development starts from the core";
+    else if (!(*alphabet)[*id].parameters.empty())
+      Report("P2011", axiom_name_,
+             fmt::format("the axiom '{}' has parameters", name))
+          .label = "an axiom is a symbol without parameters";
+    scope_.header.axiom = *id;
+  }
+
+  const ast::File& file_;
+  Scope scope_;
+  // The first item of each kind; empty while there is none.
+  Span genotype_;
+  Span alphabet_;
+  Span axiom_;
+  Span axiom_name_;
+  std::array<Span, ast::kSettingCount> settings_;
+};
+
+}  // namespace
+
+std::optional<StateId> Scope::FindState(std::string_view name) const {
+  for (std::size_t i = 0; i < header.states.size(); ++i)
+    if (header.states[i].name == name) return static_cast<StateId>(i);
+  return std::nullopt;
+}
+
+const Constant* Scope::FindConstant(std::string_view name) const {
+  for (const Constant& constant : constants)
+    if (constant.name == name) return &constant;
+  return nullptr;
+}
+
+Scope Declare(const ast::File& file) {
+  return Declarer(file).Declare();
+}
+
+}  // namespace plsc

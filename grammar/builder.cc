@@ -1,0 +1,104 @@
+#include "grammar/builder.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <string>
+#include <utility>
+
+namespace plsc::grammar {
+
+namespace {
+
+template <typename T>
+std::uint32_t SizeOf(const std::vector<T>& pool) {
+  return static_cast<std::uint32_t>(pool.size());
+}
+
+// Whether a number written this way is zero: only then may its double be.
+bool IsWrittenZero(std::string_view number) {
+  const std::string_view digits = number.substr(0, number.find_first_of("eE"));
+  return digits.find_first_of("123456789") == std::string_view::npos;
+}
+
+}  // namespace
+
+void Builder::Report(Diagnostic diagnostic) {
+  if (diagnostics.size() < kMaxSyntaxErrors)
+    diagnostics.push_back(std::move(diagnostic));
+}
+
+void Builder::BeginItem(Span item_keyword) {
+  keyword = item_keyword;
+  open = close = Span{};
+  bounds = {};
+  connective = ast::Connective::kNone;
+  rule = {};
+  rule.terms.first = SizeOf(file.terms);
+  rule.symbols.first = SizeOf(file.symbols);
+  alphabet = {};
+  alphabet.declarations.first = SizeOf(file.declarations);
+  sense = {};
+  sense.values.first = SizeOf(file.names);
+  environment = {};
+  environment.entries.first = SizeOf(file.entries);
+}
+
+void Builder::EndItem(ast::ItemKind kind, std::size_t index) {
+  file.items.push_back({kind,
+                        {keyword.begin, previous_end},
+                        keyword,
+                        static_cast<std::uint32_t>(index)});
+}
+
+void Builder::TakeNumber(Span span) {
+  const std::string_view text = file.Text(span);
+  value = {};
+  value.span = span;
+  value.is_integer = text.find_first_of(".eE") == std::string_view::npos;
+  const auto [end, error] =
+      std::from_chars(text.data(), text.data() + text.size(), value.number);
+  const bool fits = error == std::errc();
+  if (fits && (value.number != 0 || IsWrittenZero(text))) return;
+  // What follows needs some number in its place.
+  value.number = 1;
+  const std::size_t exponent = text.find_first_of("eE");
+  const bool is_small =
+      (exponent != std::string_view::npos && text[exponent + 1] == '-') ||
+      (exponent == std::string_view::npos && text.find('.') < 3);
+  Diagnostic diagnostic;
+  diagnostic.code = "P1112";
+  diagnostic.span = span;
+  diagnostic.message =
+      fmt::format("{} does not fit a 64-bit floating-point number",
+                  text.size() > 40 ? "this number" : text);
+  diagnostic.label = is_small ? "smallest magnitude is 5e-324"
+                              : "largest magnitude is 1.7976931348623157e308";
+  Report(std::move(diagnostic));
+}
+
+void Builder::CheckTermValue() {
+  if (value.kind != ast::Value::Kind::kName) return;
+  const std::string_view text = file.Text(value.span);
+  const bool is_true = text == "true" || text == "TRUE";
+  if (!is_true && text != "false" && text != "FALSE") return;
+  const char* const right = is_true ? "True" : "False";
+  value.kind = is_true ? ast::Value::Kind::kTrue : ast::Value::Kind::kFalse;
+  Diagnostic diagnostic;
+  diagnostic.code = "P1104";
+  diagnostic.span = value.span;
+  diagnostic.message = fmt::format("'{}' is not a plsc value", text);
+  diagnostic.label = fmt::format("use '{}'", right);
+  diagnostic.fixes.push_back({value.span, right});
+  Report(std::move(diagnostic));
+}
+
+void Builder::Fail(SyntaxError error, std::uint32_t offset) {
+  file.is_incomplete = true;
+  if (diagnostics.size() < kMaxSyntaxErrors)
+    Report(DescribeSyntaxError(
+        error, {file.text, offset, previous_end, keyword, open}));
+  throw SyntaxFailure{};
+}
+
+}  // namespace plsc::grammar

@@ -1,0 +1,66 @@
+#include "grammar/parse.h"
+
+#include <fmt/format.h>
+
+#include <cassert>
+#include <utility>
+
+#include "grammar/actions.h"
+#include "grammar/messages.h"
+#include "grammar/recover.h"
+#include "grammar/screen.h"
+
+namespace plsc {
+
+namespace {
+
+using grammar::Builder;
+
+constexpr double kLanguageVersion = 1;
+
+template <typename Rule>
+struct Control : tao::pegtl::normal<Rule> {
+  template <typename Input>
+  [[noreturn]] static void raise(const Input& in, Builder& b) {
+    b.Fail(grammar::kError<Rule>,
+           static_cast<std::uint32_t>(in.current() - b.base));
+  }
+};
+
+Diagnostic WrongVersion(const ast::File& file) {
+  const Span number = file.version_number.span;
+  Diagnostic diagnostic;
+  diagnostic.code = "P5002";
+  diagnostic.span = number;
+  diagnostic.message = fmt::format(
+      "this file needs plsc language {}; this tool reads 1", file.Text(number));
+  diagnostic.help = "use a newer plsc, or a file of language 1";
+  return diagnostic;
+}
+
+}  // namespace
+
+ParseResult Parse(const Source& source) {
+  Builder b;
+  b.file.text = source.text();
+  if (auto problem = Screen(source)) {
+    b.file.is_incomplete = true;
+    return {std::move(b.file), {*std::move(problem)}};
+  }
+  b.base = b.file.text.data();
+  using Input = tao::pegtl::memory_input<tao::pegtl::tracking_mode::lazy>;
+  Input in(b.file.text.data(), b.file.text.data() + b.file.text.size(), "");
+  [[maybe_unused]] const bool matched =
+      tao::pegtl::parse<grammar::file, grammar::action, Control>(in, b);
+  assert(matched && "the top level recovers from everything");
+
+  // Another version's rules are not ours to judge.
+  if (b.file.version.end > 0 &&
+      b.file.version_number.number != kLanguageVersion) {
+    b.file.is_incomplete = true;
+    b.diagnostics = {WrongVersion(b.file)};
+  }
+  return {std::move(b.file), std::move(b.diagnostics)};
+}
+
+}  // namespace plsc

@@ -1,0 +1,125 @@
+#include "grammar/screen.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cstring>
+
+namespace plsc {
+
+namespace {
+
+constexpr std::string_view kUtf8Bom = "\xEF\xBB\xBF";
+
+Diagnostic At(const char* code, std::size_t offset, std::string message) {
+  Diagnostic diagnostic;
+  diagnostic.code = code;
+  const auto begin = static_cast<std::uint32_t>(offset);
+  diagnostic.span = {begin, begin};
+  diagnostic.message = std::move(message);
+  return diagnostic;
+}
+
+bool HasHighBit(const char* bytes) {
+  std::uint64_t word;
+  std::memcpy(&word, bytes, sizeof word);
+  return (word & 0x8080808080808080U) != 0;
+}
+
+// Bytes of the UTF-8 character at `i`, 0 if there is none. Refuses overlong
+// forms, surrogates and what lies beyond U+10FFFF (RFC 3629, section 4).
+std::size_t Utf8Length(std::string_view text, std::size_t i) {
+  const auto byte = [&](std::size_t k) -> unsigned {
+    return i + k < text.size() ? static_cast<unsigned char>(text[i + k]) : 0;
+  };
+  const auto continues = [&](std::size_t k) {
+    return (byte(k) & 0xC0U) == 0x80U;
+  };
+  const unsigned lead = byte(0);
+  if (lead < 0x80) return 1;
+  if (lead >= 0xC2 && lead <= 0xDF) return continues(1) ? 2 : 0;
+  if (lead >= 0xE0 && lead <= 0xEF) {
+    if (lead == 0xE0 && byte(1) < 0xA0) return 0;
+    if (lead == 0xED && byte(1) > 0x9F) return 0;
+    return continues(1) && continues(2) ? 3 : 0;
+  }
+  if (lead >= 0xF0 && lead <= 0xF4) {
+    if (lead == 0xF0 && byte(1) < 0x90) return 0;
+    if (lead == 0xF4 && byte(1) > 0x8F) return 0;
+    return continues(1) && continues(2) && continues(3) ? 4 : 0;
+  }
+  return 0;
+}
+
+std::optional<std::size_t> FirstBadByte(std::string_view text) {
+  std::size_t i = 0;
+  while (i < text.size()) {
+    if (i + 8 <= text.size() && !HasHighBit(text.data() + i)) {
+      i += 8;
+      continue;
+    }
+    const std::size_t length = Utf8Length(text, i);
+    if (length == 0) return i;
+    i += length;
+  }
+  return std::nullopt;
+}
+
+std::optional<Diagnostic> ScreenEncoding(std::string_view text) {
+  if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) {
+    Diagnostic diagnostic = At("P5011", 0, "this file is UTF-16, not UTF-8");
+    diagnostic.help = "save it as UTF-8";
+    return diagnostic;
+  }
+  const std::size_t nul = text.find('\0');
+  if (nul != std::string_view::npos)
+    return At("P5016", nul,
+              fmt::format("this is not a text: byte 0x00 at offset {}", nul));
+  if (const auto bad = FirstBadByte(text))
+    return At("P5011", *bad,
+              fmt::format("not UTF-8 text: byte 0x{:02X} at offset {}",
+                          static_cast<unsigned char>(text[*bad]), *bad));
+  return std::nullopt;
+}
+
+// Git's markers: seven of one character at the start of a line.
+std::optional<Diagnostic> ScreenMerge(std::string_view text) {
+  static constexpr std::array<std::string_view, 2> kMarkers = {"<<<<<<<",
+                                                               ">>>>>>>"};
+  for (const std::string_view marker : kMarkers) {
+    std::size_t at = text.find(marker);
+    while (at != std::string_view::npos) {
+      if (at == 0 || text[at - 1] == '\n') {
+        Diagnostic diagnostic =
+            At("P5010", at, "unresolved merge conflict marker");
+        diagnostic.span.end += 7;
+        diagnostic.label = "resolve the conflict and remove the markers";
+        return diagnostic;
+      }
+      at = text.find(marker, at + 1);
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Diagnostic> Screen(const Source& source) {
+  std::string_view text = source.text();
+  if (text.size() > kMaxSourceBytes)
+    return At("P5015", 0,
+              fmt::format("file is {} MiB; the limit is {} MiB",
+                          (text.size() + (1U << 20) - 1) >> 20,
+                          kMaxSourceBytes >> 20));
+  if (text.starts_with(kUtf8Bom)) text.remove_prefix(kUtf8Bom.size());
+  if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) {
+    Diagnostic diagnostic = At("P5013", 0, "file is empty");
+    diagnostic.help =
+        "a genotype file starts with 'plsc 1' and has at least one rule";
+    return diagnostic;
+  }
+  if (auto encoding = ScreenEncoding(source.text())) return encoding;
+  return ScreenMerge(source.text());
+}
+
+}  // namespace plsc

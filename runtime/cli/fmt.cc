@@ -1,0 +1,53 @@
+#include <fmt/format.h>
+
+#include <ostream>
+
+#include "compiler/format.h"
+#include "runtime/cli/commands.h"
+
+namespace plsc::cli {
+
+namespace {
+
+// Whether the file is (now) as it should be.
+bool FormatOne(const std::string& file, const FmtCommand& command, Io& io) {
+  const Result<Source> source = ReadSource(file, io);
+  if (!source) {
+    io.err << fmt::format("error[{}]: {}\n", source.diagnostics()[0].code,
+                          source.diagnostics()[0].message);
+    return false;
+  }
+  FormatOptions options;
+  options.compact = command.compact;
+  const Result<std::string> formatted = Format(*source, options);
+  if (!formatted) {
+    Report(formatted.diagnostics(), *source, io);
+    io.err << fmt::format("{}: not formatted\n", source->name());
+    return false;
+  }
+  const bool is_same = *formatted == source->text();
+  if (command.check) {
+    if (!is_same) io.out << source->name() << '\n';
+    return is_same;
+  }
+  if (command.to_stdout || file == "-") {
+    io.out << *formatted;
+    return true;
+  }
+  if (is_same) return true;
+  const auto failure = WriteFile(file, *formatted);
+  if (failure)
+    io.err << fmt::format("error: cannot write '{}': {}\n", file, *failure);
+  return !failure;
+}
+
+}  // namespace
+
+Exit Run(const FmtCommand& command, Io& io) {
+  bool all_fine = true;
+  for (const std::string& file : command.files)
+    all_fine = FormatOne(file, command, io) && all_fine;
+  return all_fine ? Exit::kFine : Exit::kBadInput;
+}
+
+}  // namespace plsc::cli
