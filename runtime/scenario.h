@@ -16,14 +16,21 @@
 
 namespace plsc {
 
+/// Where robots start, m, core's centre above the origin: as the authors
+/// configured it for each ground (reference 6.5).
+inline constexpr double kFlatStartHeight = 0.03;
+inline constexpr double kTiltedStartHeight = 0.1;
+
 struct Season {
   std::string name;
   Terrain terrain;
-  double duration = 50;        ///< s
-  double start_height = 0.03;  ///< m, core's centre above the origin
+  double duration = 50;                    ///< s
+  double start_height = kFlatStartHeight;  ///< m
   /// What a robot senses, by state name, as written in a clause: "True",
   /// "30.5", "wet". May name states that a genotype does not ask about.
   std::map<std::string, std::string> senses;
+
+  friend bool operator==(const Season&, const Season&) = default;
 };
 
 struct Scenario {
@@ -33,6 +40,8 @@ struct Scenario {
   ControllerMode controller = ControllerMode::kOpenLoop;
   PhysicsOptions physics;
   ServoOptions servo;
+
+  friend bool operator==(const Scenario&, const Scenario&) = default;
 };
 
 /// The paper's: 50 s Flat, then 50 s Tilted by 5 degrees, where `inclined` is

@@ -42,6 +42,9 @@ struct PhysicsOptions {
   double ground_kd = 9e4;     ///< N s/m
   double damping = 1e-4;      ///< share of velocity lost a step, linear and
                               ///< angular
+
+  friend bool operator==(const PhysicsOptions&,
+                         const PhysicsOptions&) = default;
 };
 
 /// The servo of the joints (authors' program, joint.py:59, Motor.cpp:64): a
@@ -52,6 +55,8 @@ struct ServoOptions {
   double max_speed = 1.0;       ///< rad/s, clamp of the target speed
   double max_torque = 0.17658;  ///< N m
   double update_rate = 8;       ///< Hz, the first update at t = 0
+
+  friend bool operator==(const ServoOptions&, const ServoOptions&) = default;
 };
 
 struct SimulationOptions {

@@ -14,6 +14,8 @@ std::string_view OutcomeName(Outcome outcome) {
       return "undeveloped";
     case Outcome::kUnstable:
       return "unstable";
+    case Outcome::kWorkerDied:
+      return "worker_died";
   }
   assert(false);
   return "";

@@ -13,10 +13,11 @@ enum class Outcome : std::uint8_t {
   kOverlapping,  ///< modules intersect in the rest pose; not simulated
   kUndeveloped,  ///< development passed its limits: there is no robot
   kUnstable,     ///< a state was not finite or moved faster than a servo can
+  kWorkerDied,   ///< the process that simulated it died, twice
 };
 
-/// "completed", "overlapping", "undeveloped", "unstable": as results and JSON
-/// name it.
+/// "completed", "overlapping", "undeveloped", "unstable", "worker_died": as
+/// results and JSON name it.
 std::string_view OutcomeName(Outcome outcome);
 
 }  // namespace plsc

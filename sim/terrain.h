@@ -13,6 +13,8 @@ enum class TerrainType : std::uint8_t { kFlat, kTilted };
 struct Terrain {
   TerrainType type = TerrainType::kFlat;
   double tilt = 0;  ///< rad, kTilted only; the plane rises along +y
+
+  friend bool operator==(const Terrain&, const Terrain&) = default;
 };
 
 }  // namespace plsc

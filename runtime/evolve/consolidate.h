@@ -1,0 +1,25 @@
+#pragma once
+
+// One number for the fitness of many seasons (paper, "Fitness"; reference
+// 8.2): how many others an individual dominates.
+
+#include <optional>
+#include <vector>
+
+namespace plsc {
+
+/// One entry a season; nothing where there is no fitness, which is worse than
+/// any number and equal to nothing.
+using SeasonFitnesses = std::vector<std::optional<double>>;
+
+/// Pareto: not worse in any season and better in at least one. Both have the
+/// same number of seasons, any. (The authors' arithmetic equals this for one
+/// or two seasons and errs for more.)
+bool Dominates(const SeasonFitnesses& a, const SeasonFitnesses& b);
+
+/// Of each individual, the number of others that it dominates: the
+/// consolidated fitness, comparable only within the same set. With one season
+/// it orders individuals exactly as their fitness does.
+std::vector<int> DominationCounts(const std::vector<SeasonFitnesses>& set);
+
+}  // namespace plsc

@@ -1,0 +1,285 @@
+#include "runtime/evolve/experiment.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "compiler/limits.h"
+#include "grammar/keywords.h"
+#include "runtime/scenario_yaml.h"
+#include "runtime/yaml_reader.h"
+
+namespace plsc {
+
+namespace {
+
+constexpr int kFormat = 1;  // of experiment files, value of plsc_experiment
+// Sizes beyond which a number is a slip of the pen: a population this large
+// would take months a generation.
+constexpr int kMaxPopulation = 1'000'000;
+constexpr int kMaxGenerations = 1'000'000;
+constexpr int kMaxTournament = 1000;
+constexpr int kMaxGroups = 1000;
+
+constexpr Quantity kProbability = {Dimension::kNumber, 0, 1};
+
+const std::vector<std::string>& EncodingNames() {
+  static const std::vector<std::string> kNames = {"plasticoding", "baseline"};
+  return kNames;
+}
+
+/// A word that can stand in a genotype file.
+std::optional<std::string> ReadName(const YamlValue& value,
+                                    std::string_view what) {
+  std::optional<std::string> name = value.Text(what);
+  if (!name || IsName(*name)) return name;
+  value.Report("P5107", fmt::format("expected {}, found '{}'", what, *name),
+               "a name is made of letters, digits and '_', begins with no "
+               "digit, and is no word of the language");
+  return std::nullopt;
+}
+
+std::optional<State> ReadRealState(State state, const YamlValue& value) {
+  const std::string text = value.text();
+  const std::size_t dots = text.find("..");
+  if (dots == std::string::npos) {
+    value.Report("P5103",
+                 fmt::format("expected a range or a list of values, found "
+                             "'{}'",
+                             text),
+                 "write '-40..60' or '[dry, wet]'");
+    return std::nullopt;
+  }
+  const ParsedQuantity low =
+      ParseQuantity(std::string_view(text).substr(0, dots), {});
+  const ParsedQuantity high =
+      ParseQuantity(std::string_view(text).substr(dots + 2), {});
+  if (low.error || high.error || low.value >= high.value) {
+    value.Report(
+        "P5103",
+        fmt::format("expected a range from less to more, found '{}'", text),
+        "write it as in '-40..60'");
+    return std::nullopt;
+  }
+  state.type = StateType::kReal;
+  state.low = low.value;
+  state.high = high.value;
+  return state;
+}
+
+std::optional<State> ReadEnumState(State state, const YamlValue& value) {
+  const auto items = value.List("values");
+  if (!items) return std::nullopt;
+  state.type = StateType::kEnum;
+  for (const YamlValue& item : *items)
+    if (auto name = ReadName(item, "a value")) {
+      const auto& known = state.values;
+      if (std::find(known.begin(), known.end(), *name) != known.end())
+        item.Report("P5108", fmt::format("value '{}' is given twice", *name));
+      state.values.push_back(std::move(*name));
+    }
+  if (items->size() < 2) value.Report("P5108", "expected at least two values");
+  return state;
+}
+
+/// `inclined`, `{temperature: -40..60}` or `{ground: [dry, wet]}`.
+std::optional<State> ReadState(const YamlValue& value) {
+  State state;
+  if (!value.is_map()) {
+    auto name = ReadName(value, "a state");
+    if (!name) return std::nullopt;
+    state.name = std::move(*name);
+    return state;
+  }
+  YamlMap map = *value.Map("a state");
+  const std::vector<YamlMap::Entry>& entries = map.TakeAll();
+  if (entries.size() != 1) {
+    value.Report("P5103", "expected one state here",
+                 "write each state as its own item of the list");
+    return std::nullopt;
+  }
+  const YamlMap::Entry& entry = entries.front();
+  auto name = ReadName(entry.at, "a state");
+  if (!name) return std::nullopt;
+  state.name = std::move(*name);
+  return entry.value.is_scalar() ? ReadRealState(state, entry.value)
+                                 : ReadEnumState(state, entry.value);
+}
+
+std::vector<State> ReadStates(const YamlValue& value) {
+  std::vector<State> states;
+  const auto items = value.List("states");
+  if (!items) return states;
+  for (const YamlValue& item : *items) {
+    std::optional<State> state = ReadState(item);
+    if (!state) continue;
+    const bool is_known = std::any_of(
+        states.begin(), states.end(),
+        [&](const State& other) { return other.name == state->name; });
+    if (is_known)
+      item.Report("P5108",
+                  fmt::format("state '{}' is given twice", state->name));
+    else
+      states.push_back(std::move(*state));
+  }
+  return states;
+}
+
+GenotypeOptions ReadGenotype(YamlMap& map) {
+  GenotypeOptions options;
+  options.encoding = static_cast<Encoding>(map.Choice(
+      "encoding", static_cast<std::size_t>(options.encoding), EncodingNames()));
+  DevelopmentSettings& development = options.development;
+  development.iterations = map.Int("iterations", development.iterations,
+                                   kMinIterations, kMaxIterations);
+  development.max_modules =
+      map.Int("max_modules", development.max_modules, kMinModules, kMaxModules);
+  development.move_to_new = map.Bool("move_to_new", development.move_to_new);
+  options.max_groups = map.Int("max_groups", options.max_groups, 1, kMaxGroups);
+  options.groups_per_rule =
+      map.Bool("groups_per_rule", options.groups_per_rule);
+  options.max_rules =
+      map.Int("max_rules", options.max_rules, kMinLimit, kMaxLimit);
+  options.max_terms =
+      map.Int("max_terms", options.max_terms, kMinLimit, kMaxLimit);
+  if (const auto states = map.Find("states")) {
+    options.states = ReadStates(*states);
+    if (options.states.empty() && options.encoding == Encoding::kPlasticoding)
+      states->Report("P5108",
+                     "expected at least one state: clauses ask about them",
+                     "write 'encoding: baseline' for rules without clauses");
+  }
+  return options;
+}
+
+void ReadScenarioOf(YamlMap& map, Experiment& experiment) {
+  const auto value = map.Find("scenario");
+  if (!value) return;
+  if (value->is_map()) {
+    YamlMap scenario = *value->Map("a scenario");
+    experiment.scenario = ReadScenario(scenario);
+  } else if (auto file = value->Text("a scenario or the name of its file")) {
+    experiment.scenario_file = std::move(*file);
+  }
+}
+
+void CheckTogether(YamlMap& map, const Experiment& experiment) {
+  const auto place = [&](std::string_view key) {
+    return map.Find(key).value_or(map.place());
+  };
+  if (Evaluations(experiment) > std::numeric_limits<int>::max())
+    place("generations")
+        .Report("P5108", fmt::format("{} robots are more than can be numbered",
+                                     Evaluations(experiment)));
+  if (!experiment.scenario_file.empty()) return;
+  for (const Diagnostic& error : CheckSenses(experiment))
+    place("scenario").Report(error.code, error.message, error.help);
+}
+
+Experiment ReadExperiment(YamlMap& map) {
+  Experiment experiment;
+  map.Int("plsc_experiment", kFormat, kFormat, kFormat);
+  experiment.name = map.Text("name", "");
+  if (const auto seed = map.Find("seed"))
+    experiment.seed = seed->Unsigned().value_or(experiment.seed);
+  if (const auto robots = map.Find("robots"))
+    experiment.robots = ReadName(*robots, "a name").value_or(experiment.robots);
+  experiment.population =
+      map.Int("population", experiment.population, 2, kMaxPopulation);
+  experiment.offspring =
+      map.Int("offspring", experiment.offspring, 1, kMaxPopulation);
+  experiment.generations =
+      map.Int("generations", experiment.generations, 1, kMaxGenerations);
+  experiment.mutation =
+      map.Number("mutation", experiment.mutation, kProbability);
+  experiment.crossover =
+      map.Number("crossover", experiment.crossover, kProbability);
+  experiment.tournament =
+      map.Int("tournament", experiment.tournament, 1, kMaxTournament);
+  experiment.genotype = ReadGenotype(map);
+  ReadScenarioOf(map, experiment);
+  CheckTogether(map, experiment);
+  map.Close();
+  return experiment;
+}
+
+std::string PrintState(const State& state) {
+  const std::string name = PrintYamlText(state.name);
+  switch (state.type) {
+    case StateType::kBool:
+      return name;
+    case StateType::kReal:
+      return fmt::format("{{{}: {}..{}}}", name, state.low, state.high);
+    case StateType::kEnum: {
+      std::vector<std::string> values;
+      for (const std::string& value : state.values)
+        values.push_back(PrintYamlText(value));
+      return fmt::format("{{{}: [{}]}}", name, fmt::join(values, ", "));
+    }
+  }
+  return "";
+}
+
+std::string PrintGenotypeOptions(const GenotypeOptions& options) {
+  std::vector<std::string> states;
+  for (const State& state : options.states) states.push_back(PrintState(state));
+  const auto word = [](bool value) { return value ? "True" : "False"; };
+  const DevelopmentSettings& development = options.development;
+  std::string text;
+  text +=
+      fmt::format("encoding: {}\n",
+                  EncodingNames()[static_cast<std::size_t>(options.encoding)]);
+  text += fmt::format("iterations: {}\n", development.iterations);
+  text += fmt::format("max_modules: {}\n", development.max_modules);
+  text += fmt::format("move_to_new: {}\n", word(development.move_to_new));
+  text += fmt::format("max_groups: {}\n", options.max_groups);
+  text += fmt::format("groups_per_rule: {}\n", word(options.groups_per_rule));
+  text += fmt::format("max_rules: {}\n", options.max_rules);
+  text += fmt::format("max_terms: {}\n", options.max_terms);
+  text += fmt::format("states: [{}]\n", fmt::join(states, ", "));
+  return text;
+}
+
+}  // namespace
+
+Result<Experiment> ParseExperiment(const Source& yaml) {
+  const YamlFile file(yaml);
+  Experiment experiment;
+  if (std::optional<YamlMap> root = file.Root("an experiment"))
+    experiment = ReadExperiment(*root);
+  if (!file.diagnostics().empty()) return file.diagnostics();
+  return experiment;
+}
+
+std::string PrintExperiment(const Experiment& experiment) {
+  std::string text = fmt::format("plsc_experiment: {}\n", kFormat);
+  if (!experiment.name.empty())
+    text += fmt::format("name: {}\n", PrintYamlText(experiment.name));
+  text += fmt::format("seed: {}\n", experiment.seed);
+  text += fmt::format("robots: {}\n", PrintYamlText(experiment.robots));
+  text += fmt::format("population: {}\n", experiment.population);
+  text += fmt::format("offspring: {}\n", experiment.offspring);
+  text += fmt::format("generations: {}\n", experiment.generations);
+  text += fmt::format("mutation: {}\n", experiment.mutation);
+  text += fmt::format("crossover: {}\n", experiment.crossover);
+  text += fmt::format("tournament: {}\n", experiment.tournament);
+  text += PrintGenotypeOptions(experiment.genotype);
+  text += "scenario:\n" + PrintScenarioKeys(experiment.scenario, 2);
+  return text;
+}
+
+std::vector<Diagnostic> CheckSenses(const Experiment& experiment) {
+  std::vector<Diagnostic> errors;
+  if (experiment.genotype.encoding == Encoding::kBaseline) return errors;
+  for (const Season& season : experiment.scenario.seasons) {
+    const Result<Environment> sensed =
+        Sense(season, experiment.genotype.states);
+    if (!sensed)
+      errors.insert(errors.end(), sensed.diagnostics().begin(),
+                    sensed.diagnostics().end());
+  }
+  return errors;
+}
+
+}  // namespace plsc

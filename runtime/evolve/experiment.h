@@ -1,0 +1,54 @@
+#pragma once
+
+// What a run of evolution is a function of, together with the version: the
+// paper's parameter table, the seed and the scenario. Read from YAML;
+// docs/experiments.md lists every key.
+
+#include <cstdint>
+#include <string>
+
+#include "grammar/result.h"
+#include "runtime/evolve/initialise.h"
+#include "runtime/scenario.h"
+
+namespace plsc {
+
+/// Defaults are the paper's (Table 2 and "Evolution").
+struct Experiment {
+  std::string name;
+  std::uint64_t seed = 1;
+  std::string robots = "robot";  ///< genotypes are called robot_1, robot_2, ...
+  int population = 100;          ///< mu, at least 2
+  int offspring = 100;           ///< lambda, at least 1
+  int generations = 200;         ///< the initial population counted as one
+  double mutation = 0.8;         ///< probability that a child is mutated
+  double crossover = 0.8;  ///< probability that a child has two parents' rules
+  int tournament = 2;      ///< contestants, of parents and of survivors
+  GenotypeOptions genotype;
+  Scenario scenario = PaperScenario();
+  /// Where the scenario is when it has a file of its own, as written in the
+  /// experiment; empty otherwise. Whoever read the experiment reads that file
+  /// too, puts it into `scenario` and calls CheckSenses.
+  std::string scenario_file;
+
+  friend bool operator==(const Experiment&, const Experiment&) = default;
+};
+
+/// Robots that a whole run evaluates.
+inline std::int64_t Evaluations(const Experiment& experiment) {
+  return experiment.population +
+         std::int64_t{experiment.generations - 1} * experiment.offspring;
+}
+
+/// As many errors as can be found, those of an inline scenario included.
+Result<Experiment> ParseExperiment(const Source& yaml);
+
+/// Every value written out, the scenario inline; ParseExperiment returns an
+/// equal one (but for scenario_file, which is empty then).
+std::string PrintExperiment(const Experiment& experiment);
+
+/// Errors where a season has no value, or none of the right type, for a state
+/// that the experiment's clauses ask about. Without places in a text.
+std::vector<Diagnostic> CheckSenses(const Experiment& experiment);
+
+}  // namespace plsc

@@ -1,0 +1,196 @@
+#include "runtime/evolve/mutate.h"
+
+#include <cassert>
+#include <iterator>
+#include <utility>
+
+#include "runtime/evolve/draw.h"
+
+namespace plsc {
+
+namespace {
+
+using Offset = std::vector<Symbol>::difference_type;
+
+bool IsCore(const Symbol& symbol) {
+  return symbol.id == plasticoding::kC;
+}
+
+/// Heads that have rules, and of each the indices of its rules.
+std::vector<std::vector<std::size_t>> RulesByHead(const Genotype& genotype) {
+  std::vector<std::vector<std::size_t>> groups;
+  for (std::size_t i = 0; i < genotype.rules.size(); ++i) {
+    if (i == 0 || genotype.rules[i].head != genotype.rules[i - 1].head)
+      groups.emplace_back();
+    groups.back().push_back(i);
+  }
+  return groups;
+}
+
+Comparison Opposite(Comparison comparison) {
+  return comparison == Comparison::kEqual ? Comparison::kNotEqual
+                                          : Comparison::kEqual;
+}
+
+/// Uniform among the 2n - 1 other pairs of comparison and value.
+Term ChangeEnumTerm(Term term, std::size_t values, Rng& rng) {
+  const auto current = static_cast<std::size_t>(term.value);
+  const std::size_t step = 1 + rng.Index(2 * values - 1);
+  const std::size_t place = current + step;  // current to current + 2n - 1
+  if (place / values % 2 == 1) term.comparison = Opposite(term.comparison);
+  term.value = static_cast<double>(place % values);
+  return term;
+}
+
+Term ChangeTerm(const Term& term, const std::vector<State>& states, Rng& rng) {
+  const State& state = states[static_cast<std::size_t>(term.state)];
+  Term changed = term;
+  switch (state.type) {
+    case StateType::kBool:
+      changed.value = 1 - term.value;
+      return changed;
+    case StateType::kEnum:
+      return ChangeEnumTerm(term, state.values.size(), rng);
+    case StateType::kReal:
+      return DrawComparison(states, term.state, rng);
+  }
+  assert(false);
+  return term;
+}
+
+enum class ClauseChange : std::uint8_t { kTerm, kRemove, kOperator, kAppend };
+
+std::vector<ClauseChange> PossibleChanges(const Clause& clause,
+                                          const std::vector<State>& states,
+                                          std::optional<int> max_terms) {
+  std::vector<ClauseChange> changes;
+  if (!clause.terms.empty()) changes.push_back(ClauseChange::kTerm);
+  if (clause.terms.size() > 1) {
+    changes.push_back(ClauseChange::kRemove);
+    changes.push_back(ClauseChange::kOperator);
+  }
+  const bool has_room =
+      !max_terms || clause.terms.size() < static_cast<std::size_t>(*max_terms);
+  if (has_room && !states.empty()) changes.push_back(ClauseChange::kAppend);
+  return changes;
+}
+
+/// With the operator after the first term, else with the one before it.
+Clause RemoveTerm(Clause clause, Rng& rng) {
+  const std::size_t term = rng.Index(clause.terms.size());
+  const std::size_t connective = term == 0 ? 0 : term - 1;
+  clause.terms.erase(clause.terms.begin() + static_cast<Offset>(term));
+  clause.connectives.erase(clause.connectives.begin() +
+                           static_cast<Offset>(connective));
+  return clause;
+}
+
+}  // namespace
+
+std::string_view MutationName(MutationKind kind) {
+  switch (kind) {
+    case MutationKind::kDelete:
+      return "delete";
+    case MutationKind::kSwap:
+      return "swap";
+    case MutationKind::kAdd:
+      return "add";
+    case MutationKind::kClause:
+      return "clause";
+  }
+  assert(false);
+  return "";
+}
+
+Mutation DrawMutation(const Genotype& genotype, Encoding encoding, Rng& rng) {
+  assert(!genotype.rules.empty());
+  Mutation mutation;
+  const std::size_t kinds = encoding == Encoding::kPlasticoding ? 4 : 3;
+  mutation.kind = static_cast<MutationKind>(rng.Index(kinds));
+  const auto groups = RulesByHead(genotype);
+  const std::vector<std::size_t>& group = groups[rng.Index(groups.size())];
+  mutation.rule = group[rng.Index(group.size())];
+  return mutation;
+}
+
+Genotype Mutate(Genotype genotype, const Mutation& mutation, Rng& rng) {
+  Rule& rule = genotype.rules[mutation.rule];
+  switch (mutation.kind) {
+    case MutationKind::kDelete:
+      rule = DeleteSymbol(std::move(rule), rng);
+      break;
+    case MutationKind::kSwap:
+      rule = SwapSymbols(std::move(rule), rng);
+      break;
+    case MutationKind::kAdd:
+      rule = AddSymbol(std::move(rule), *genotype.alphabet, rng);
+      break;
+    case MutationKind::kClause:
+      rule.clause = ChangeClause(std::move(rule.clause), genotype.states,
+                                 genotype.max_terms, rng);
+      break;
+  }
+  return genotype;
+}
+
+Rule DeleteSymbol(Rule rule, Rng& rng) {
+  std::vector<Symbol>& production = rule.production;
+  if (production.size() < 2) return rule;
+  const std::size_t index = rng.Index(production.size());
+  if (!IsCore(production[index]))
+    production.erase(production.begin() + static_cast<Offset>(index));
+  return rule;
+}
+
+Rule SwapSymbols(Rule rule, Rng& rng) {
+  std::vector<Symbol>& production = rule.production;
+  if (production.size() < 2) return rule;
+  Symbol& a = production[rng.Index(production.size())];
+  Symbol& b = production[rng.Index(production.size())];
+  if (!IsCore(a) && !IsCore(b)) std::swap(a, b);
+  return rule;
+}
+
+Rule AddSymbol(Rule rule, const Alphabet& alphabet, Rng& rng) {
+  using enum Category;
+  constexpr Category kCategories[] = {kModule, kMounting, kMoving,
+                                      kControllerMoving, kControllerChanging};
+  const Category category = kCategories[rng.Index(std::size(kCategories))];
+  const Symbol symbol = DrawSymbol(alphabet, category, rng);
+  std::vector<Symbol>& production = rule.production;
+  const std::size_t first = IsCore(production.front()) ? 1 : 0;
+  const std::size_t index = first + rng.Index(production.size() + 1 - first);
+  production.insert(production.begin() + static_cast<Offset>(index), symbol);
+  return rule;
+}
+
+Clause ChangeClause(Clause clause, const std::vector<State>& states,
+                    std::optional<int> max_terms, Rng& rng) {
+  const auto changes = PossibleChanges(clause, states, max_terms);
+  if (changes.empty()) return clause;
+  switch (changes[rng.Index(changes.size())]) {
+    case ClauseChange::kTerm: {
+      Term& term = clause.terms[rng.Index(clause.terms.size())];
+      term = ChangeTerm(term, states, rng);
+      return clause;
+    }
+    case ClauseChange::kRemove:
+      return RemoveTerm(std::move(clause), rng);
+    case ClauseChange::kOperator: {
+      Connective& flipped =
+          clause.connectives[rng.Index(clause.connectives.size())];
+      flipped =
+          flipped == Connective::kAnd ? Connective::kOr : Connective::kAnd;
+      return clause;
+    }
+    case ClauseChange::kAppend:
+      if (!clause.terms.empty())
+        clause.connectives.push_back(DrawConnective(rng));
+      clause.terms.push_back(DrawTerm(states, rng));
+      return clause;
+  }
+  assert(false);
+  return clause;
+}
+
+}  // namespace plsc

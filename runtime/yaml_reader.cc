@@ -1,0 +1,345 @@
+#include "runtime/yaml_reader.h"
+
+#include <fmt/format.h>
+#include <yaml-cpp/yaml.h>
+
+#include <algorithm>
+#include <charconv>
+
+#include "grammar/suggest.h"
+
+namespace plsc {
+
+// The codes of everything that can be wrong with a YAML file of ours:
+//   P5100 not YAML, P5101 unknown key, P5102 key given twice, P5103 wrong
+//   type, P5104 out of range, P5105 wrong or missing unit, P5106 missing key,
+//   P5107 unknown word, P5108 values that do not go together.
+struct YamlDocument {
+  const Source& source;
+  YAML::Node root;
+  std::vector<Diagnostic> diagnostics;
+};
+
+struct YamlNode {
+  YAML::Node node;
+};
+
+namespace {
+
+std::uint32_t OffsetOf(const Source& source, const YAML::Mark& mark) {
+  const auto size = static_cast<std::uint32_t>(source.text().size());
+  // A null mark (-1) and one past the end both point at the end.
+  if (mark.line < 0 || mark.line >= source.line_count()) return size;
+  const std::uint32_t begin = source.LineBegin(mark.line + 1);
+  return std::min(begin + static_cast<std::uint32_t>(mark.column), size);
+}
+
+// yaml-cpp tags quoted scalars with "!", plain ones with "?".
+bool IsQuoted(const YAML::Node& node) {
+  return node.Tag() == "!";
+}
+
+Span SpanOf(const Source& source, const YAML::Node& node) {
+  const std::uint32_t begin = OffsetOf(source, node.Mark());
+  std::uint32_t end = begin + 1;
+  if (node.IsScalar()) {
+    const auto length = static_cast<std::uint32_t>(node.Scalar().size());
+    end = begin + std::max(length + (IsQuoted(node) ? 2 : 0), 1u);
+  }
+  return {begin, std::min<std::uint32_t>(
+                     end, static_cast<std::uint32_t>(source.text().size()))};
+}
+
+std::string Found(const YAML::Node& node) {
+  if (node.IsMap()) return "a map";
+  if (node.IsSequence()) return "a list";
+  if (!node.IsScalar()) return "nothing";
+  return fmt::format("'{}'", node.Scalar());
+}
+
+Diagnostic NotYaml(const Source& source, const YAML::Exception& error) {
+  Diagnostic diagnostic;
+  diagnostic.code = "P5100";
+  const std::uint32_t at = OffsetOf(source, error.mark);
+  diagnostic.span = {at, at};
+  diagnostic.message = fmt::format("this is not YAML: {}", error.msg);
+  return diagnostic;
+}
+
+YAML::Node ParseOne(const Source& source, std::vector<Diagnostic>& errors) {
+  Diagnostic error;
+  error.code = "P5100";
+  if (source.text().find('\0') != std::string_view::npos) {
+    error.message = "expected a text in UTF-8, found a byte 0";
+    const auto at = static_cast<std::uint32_t>(source.text().find('\0'));
+    error.span = {at, at};
+    errors.push_back(error);
+    return {};
+  }
+  try {
+    std::vector<YAML::Node> all = YAML::LoadAll(std::string(source.text()));
+    if (all.size() == 1) return all.front();
+    error.message =
+        fmt::format("expected one YAML document, found {}", all.size());
+    if (all.size() > 1) error.span = SpanOf(source, all[1]);
+    errors.push_back(error);
+  } catch (const YAML::Exception& exception) {
+    errors.push_back(NotYaml(source, exception));
+  }
+  return {};
+}
+
+}  // namespace
+
+bool YamlValue::is_scalar() const {
+  return node_->node.IsScalar();
+}
+bool YamlValue::is_map() const {
+  return node_->node.IsMap();
+}
+bool YamlValue::is_quoted() const {
+  return IsQuoted(node_->node);
+}
+std::string YamlValue::text() const {
+  return node_->node.Scalar();
+}
+Span YamlValue::span() const {
+  return SpanOf(document_->source, node_->node);
+}
+
+void YamlValue::Report(std::string_view code, std::string message,
+                       std::string help) const {
+  Diagnostic diagnostic;
+  diagnostic.code = code;
+  diagnostic.span = span();
+  diagnostic.message = std::move(message);
+  diagnostic.help = std::move(help);
+  document_->diagnostics.push_back(std::move(diagnostic));
+}
+
+std::optional<double> YamlValue::Number(const Quantity& quantity) const {
+  if (is_quoted() || !is_scalar()) {
+    Report(
+        "P5103",
+        fmt::format("expected {}, found {}", DimensionName(quantity.dimension),
+                    is_quoted() ? "a text in quotes" : Found(node_->node)),
+        is_quoted() ? "write it without quotes" : "");
+    return std::nullopt;
+  }
+  ParsedQuantity parsed = ParseQuantity(text(), quantity);
+  if (!parsed.error) return parsed.value;
+  using Kind = QuantityError::Kind;
+  const std::string_view code = parsed.error->kind == Kind::kNotANumber
+                                    ? "P5103"
+                                : parsed.error->kind == Kind::kRange ? "P5104"
+                                                                     : "P5105";
+  Report(code, std::move(parsed.error->message), std::move(parsed.error->help));
+  return std::nullopt;
+}
+
+std::optional<std::int64_t> YamlValue::Integer(std::int64_t low,
+                                               std::int64_t high) const {
+  std::int64_t number = 0;
+  const std::string written = is_scalar() && !is_quoted() ? text() : "";
+  const char* end = written.data() + written.size();
+  const auto [stop, failure] = std::from_chars(written.data(), end, number);
+  if (written.empty() || stop != end ||
+      failure == std::errc::invalid_argument) {
+    Report("P5103",
+           fmt::format("expected a whole number, found {}",
+                       is_quoted() ? "a text in quotes" : Found(node_->node)));
+    return std::nullopt;
+  }
+  if (failure == std::errc{} && number >= low && number <= high) return number;
+  Report("P5104", fmt::format("expected a whole number of {} to {}, found {}",
+                              low, high, written));
+  return std::nullopt;
+}
+
+std::optional<std::uint64_t> YamlValue::Unsigned() const {
+  std::uint64_t number = 0;
+  const std::string written = is_scalar() && !is_quoted() ? text() : "";
+  const char* end = written.data() + written.size();
+  const auto [stop, failure] = std::from_chars(written.data(), end, number);
+  if (!written.empty() && stop == end && failure == std::errc{}) return number;
+  Report("P5103",
+         fmt::format("expected a whole number of 0 to {}, found {}",
+                     std::numeric_limits<std::uint64_t>::max(),
+                     is_quoted() ? "a text in quotes" : Found(node_->node)));
+  return std::nullopt;
+}
+
+std::optional<bool> YamlValue::Bool() const {
+  const std::string written = is_scalar() && !is_quoted() ? text() : "";
+  if (written == "true" || written == "True") return true;
+  if (written == "false" || written == "False") return false;
+  Report("P5103",
+         fmt::format("expected True or False, found {}",
+                     is_quoted() ? "a text in quotes" : Found(node_->node)));
+  return std::nullopt;
+}
+
+std::optional<std::string> YamlValue::Text(std::string_view what) const {
+  if (is_scalar() && !text().empty()) return text();
+  Report("P5103",
+         fmt::format("expected {}, found {}", what,
+                     is_scalar() ? "an empty text" : Found(node_->node)));
+  return std::nullopt;
+}
+
+std::optional<std::size_t> YamlValue::Choice(
+    const std::vector<std::string>& names) const {
+  const std::string written = is_scalar() ? text() : "";
+  const auto found = std::find(names.begin(), names.end(), written);
+  if (found != names.end())
+    return static_cast<std::size_t>(found - names.begin());
+  const std::vector<std::string_view> known(names.begin(), names.end());
+  const auto nearest = Suggest(written, known);
+  Report(is_scalar() ? "P5107" : "P5103",
+         fmt::format("expected {}, found {}", fmt::join(names, " or "),
+                     Found(node_->node)),
+         nearest ? fmt::format("did you mean '{}'?", *nearest) : "");
+  return std::nullopt;
+}
+
+std::optional<std::vector<YamlValue>> YamlValue::List(
+    std::string_view what) const {
+  if (!node_->node.IsSequence()) {
+    Report("P5103", fmt::format("expected a list of {}, found {}", what,
+                                Found(node_->node)));
+    return std::nullopt;
+  }
+  std::vector<YamlValue> values;
+  for (const YAML::Node& item : node_->node)
+    values.emplace_back(document_,
+                        std::make_shared<const YamlNode>(YamlNode{item}));
+  return values;
+}
+
+std::optional<YamlMap> YamlValue::Map(std::string_view what) const {
+  if (!node_->node.IsMap()) {
+    Report("P5103",
+           fmt::format("expected {}, found {}", what, Found(node_->node)));
+    return std::nullopt;
+  }
+  std::vector<YamlMap::Entry> entries;
+  const auto wrap = [&](const YAML::Node& node) {
+    return YamlValue(document_,
+                     std::make_shared<const YamlNode>(YamlNode{node}));
+  };
+  for (const auto& pair : node_->node) {
+    const YAML::Node& key = pair.first;
+    const YamlValue at = wrap(key);
+    if (!at.is_scalar()) {
+      at.Report("P5103", fmt::format("expected a key, found {}", Found(key)));
+      continue;
+    }
+    const std::string name = at.text();
+    const bool is_known =
+        std::any_of(entries.begin(), entries.end(),
+                    [&](const auto& other) { return other.key == name; });
+    if (is_known)
+      at.Report("P5102", fmt::format("'{}' is given twice", name),
+                "keep one of them");
+    else
+      entries.push_back({name, at, wrap(pair.second)});
+  }
+  return YamlMap(*this, std::move(entries));
+}
+
+const std::vector<YamlMap::Entry>& YamlMap::TakeAll() {
+  for (const Entry& entry : entries_) known_.push_back(entry.key);
+  return entries_;
+}
+
+std::optional<YamlValue> YamlMap::Find(std::string_view key) {
+  known_.emplace_back(key);
+  for (const Entry& entry : entries_)
+    if (entry.key == key) return entry.value;
+  return std::nullopt;
+}
+
+std::optional<YamlValue> YamlMap::Need(std::string_view key,
+                                       std::string_view help) {
+  std::optional<YamlValue> value = Find(key);
+  if (!value)
+    place_.Report("P5106", fmt::format("expected the key '{}' here", key),
+                  std::string(help));
+  return value;
+}
+
+double YamlMap::Number(std::string_view key, double otherwise,
+                       const Quantity& quantity) {
+  const std::optional<YamlValue> value = Find(key);
+  return value ? value->Number(quantity).value_or(otherwise) : otherwise;
+}
+
+int YamlMap::Int(std::string_view key, int otherwise, int low, int high) {
+  const std::optional<YamlValue> value = Find(key);
+  if (!value) return otherwise;
+  return static_cast<int>(value->Integer(low, high).value_or(otherwise));
+}
+
+bool YamlMap::Bool(std::string_view key, bool otherwise) {
+  const std::optional<YamlValue> value = Find(key);
+  return value ? value->Bool().value_or(otherwise) : otherwise;
+}
+
+std::string YamlMap::Text(std::string_view key, std::string otherwise) {
+  const std::optional<YamlValue> value = Find(key);
+  return value ? value->Text("a name").value_or(otherwise) : otherwise;
+}
+
+std::size_t YamlMap::Choice(std::string_view key, std::size_t otherwise,
+                            const std::vector<std::string>& names) {
+  const std::optional<YamlValue> value = Find(key);
+  return value ? value->Choice(names).value_or(otherwise) : otherwise;
+}
+
+void YamlMap::Close() const {
+  const std::vector<std::string_view> known(known_.begin(), known_.end());
+  for (const Entry& entry : entries_) {
+    if (std::find(known.begin(), known.end(), entry.key) != known.end())
+      continue;
+    const auto nearest = Suggest(entry.key, known);
+    entry.at.Report(
+        "P5101", fmt::format("unknown key '{}'", entry.key),
+        nearest ? fmt::format("did you mean '{}'?", *nearest)
+                : fmt::format("known here: {}", fmt::join(known, ", ")));
+  }
+}
+
+YamlFile::YamlFile(const Source& source)
+    : document_(std::make_shared<YamlDocument>(YamlDocument{source, {}, {}})) {
+  document_->root = ParseOne(source, document_->diagnostics);
+}
+
+std::optional<YamlMap> YamlFile::Root(std::string_view what) const {
+  if (!document_->diagnostics.empty()) return std::nullopt;
+  const YamlValue root(
+      document_, std::make_shared<const YamlNode>(YamlNode{document_->root}));
+  return root.Map(what);
+}
+
+const std::vector<Diagnostic>& YamlFile::diagnostics() const {
+  return document_->diagnostics;
+}
+
+std::string PrintYamlText(std::string_view text) {
+  YAML::Emitter emitter;
+  // JSON's quoting is also YAML's, and the only one that shows control
+  // characters.
+  emitter << YAML::DoubleQuoted << std::string(text);
+  const auto is_plain = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' ||
+           (c >= '0' && c <= '9');
+  };
+  const bool starts_plain =
+      !text.empty() && !(text[0] >= '0' && text[0] <= '9');
+  if (starts_plain && std::all_of(text.begin(), text.end(), is_plain) &&
+      text != "null" && text != "Null" && text != "NULL")
+    return std::string(text);
+  return emitter.c_str();
+}
+
+}  // namespace plsc

@@ -1,0 +1,116 @@
+#pragma once
+
+// Strict reading of a YAML file, for scenarios and experiments: everything
+// that is not understood is an error at its place, and all errors of a file
+// are found in one go. The door to yaml-cpp is yaml_reader.cc.
+//
+// A reader asks a map for each key it knows, with the default, and then calls
+// Close(), which reports what nobody asked for.
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "grammar/diagnostic.h"
+#include "runtime/yaml_quantity.h"
+
+namespace plsc {
+
+class YamlMap;
+struct YamlDocument;  // holds yaml-cpp's nodes and the diagnostics
+struct YamlNode;
+
+/// One value of a file. Cheap to copy; the document lives as long as any value
+/// of it. The reading functions report what is wrong and return nothing.
+class YamlValue {
+ public:
+  YamlValue(std::shared_ptr<YamlDocument> document,
+            std::shared_ptr<const YamlNode> node)
+      : document_(std::move(document)), node_(std::move(node)) {}
+
+  bool is_scalar() const;
+  bool is_map() const;
+  bool is_quoted() const;    ///< "50" or '50': a text, never a number
+  std::string text() const;  ///< of a scalar, without quotes
+  Span span() const;         ///< of a scalar; the first byte of others
+
+  std::optional<double> Number(const Quantity& quantity) const;
+  std::optional<std::int64_t> Integer(std::int64_t low,
+                                      std::int64_t high) const;
+  std::optional<std::uint64_t> Unsigned() const;  ///< 0 to 2^64 - 1
+  std::optional<bool> Bool() const;               ///< true, True, false, False
+  /// A scalar that is not empty. `what` says what it is: "a name".
+  std::optional<std::string> Text(std::string_view what) const;
+  /// Index into `names`.
+  std::optional<std::size_t> Choice(
+      const std::vector<std::string>& names) const;
+  std::optional<std::vector<YamlValue>> List(std::string_view what) const;
+  std::optional<YamlMap> Map(std::string_view what) const;
+
+  /// Reports an error here. Code P5xxx; see yaml_reader.cc.
+  void Report(std::string_view code, std::string message,
+              std::string help = "") const;
+
+ private:
+  std::shared_ptr<YamlDocument> document_;
+  std::shared_ptr<const YamlNode> node_;
+};
+
+/// A map of a file. Keys that occur twice are reported when it is made.
+class YamlMap {
+ public:
+  struct Entry {
+    std::string key;
+    YamlValue at;  ///< the key's own place
+    YamlValue value;
+  };
+  YamlMap(YamlValue place, std::vector<Entry> entries)
+      : place_(std::move(place)), entries_(std::move(entries)) {}
+
+  /// All, in the file's order; then all count as known.
+  const std::vector<Entry>& TakeAll();
+  /// Makes the key known.
+  std::optional<YamlValue> Find(std::string_view key);
+  /// As Find; a missing key is an error.
+  std::optional<YamlValue> Need(std::string_view key, std::string_view help);
+
+  double Number(std::string_view key, double otherwise,
+                const Quantity& quantity);
+  int Int(std::string_view key, int otherwise, int low, int high);
+  bool Bool(std::string_view key, bool otherwise);
+  std::string Text(std::string_view key, std::string otherwise);
+  std::size_t Choice(std::string_view key, std::size_t otherwise,
+                     const std::vector<std::string>& names);
+
+  /// Reports keys that nobody asked for, with the nearest known one.
+  void Close() const;
+  const YamlValue& place() const { return place_; }
+
+ private:
+  YamlValue place_;
+  std::vector<Entry> entries_;
+  std::vector<std::string> known_;
+};
+
+/// A parsed file. `source` outlives it.
+class YamlFile {
+ public:
+  explicit YamlFile(const Source& source);
+
+  /// Nothing when the text is not YAML, or is not a map.
+  std::optional<YamlMap> Root(std::string_view what) const;
+  /// In the order of finding.
+  const std::vector<Diagnostic>& diagnostics() const;
+
+ private:
+  std::shared_ptr<YamlDocument> document_;
+};
+
+/// `text` so that YAML reads it as this very string; quoted where needed.
+std::string PrintYamlText(std::string_view text);
+
+}  // namespace plsc

@@ -1,0 +1,151 @@
+#include "runtime/scenario_yaml.h"
+
+#include <catch2/catch.hpp>
+#include <numbers>
+#include <string>
+#include <vector>
+
+namespace plsc {
+
+namespace {
+
+std::string Errors(const std::string& text) {
+  const Source source("test.yaml", text);
+  const auto scenario = ParseScenario(source);
+  return scenario ? "" : Render(scenario.diagnostics(), source, 0);
+}
+
+/// Every field differs from its default.
+Scenario Unusual() {
+  Scenario scenario = PaperScenario();
+  scenario.name = "two words: and a colon";
+  scenario.sample_interval = 0.1;
+  scenario.controller = ControllerMode::kCoupled;
+  scenario.seasons[1].terrain.tilt = 0.123456789;
+  scenario.seasons[1].senses = {{"temperature", "-30.5"}, {"ground", "wet"}};
+  scenario.seasons[0].duration = 1.0 / 3;
+  PhysicsOptions& physics = scenario.physics;
+  physics = {0.003, Solver::kIterative,
+             17,    9.81,
+             0.2,   2e-5,
+             0.9,   0.02,
+             8e4,   1e6 / 7,
+             3e6,   8e4,
+             2e-4};
+  scenario.servo = {0.5, 1.1, 2.5, 0.2, 10};
+  return scenario;
+}
+
+}  // namespace
+
+TEST_CASE("A printed scenario reads back equal", "[scenario]") {
+  for (const Scenario& scenario : {PaperScenario(), Unusual()}) {
+    const std::string text = PrintScenario(scenario);
+    INFO(text);
+    INFO(Errors(text));
+    const auto read = ParseScenario(Source("printed", text));
+    REQUIRE(read);
+    CHECK(*read == scenario);
+    CHECK(PrintScenario(*read) == text);
+  }
+}
+
+TEST_CASE("What is left out has the paper's value", "[scenario]") {
+  const auto read =
+      ParseScenario(Source("s",
+                           "name: paper\nseasons:\n"
+                           "  - senses: {inclined: False, hot: False}\n"
+                           "  - terrain: {tilted: 5 deg}\n"
+                           "    senses: {inclined: True, hot: False}\n"));
+  REQUIRE(read);
+  CHECK(*read == PaperScenario());
+}
+
+TEST_CASE("Units are understood", "[scenario]") {
+  const auto read = ParseScenario(
+      Source("s",
+             "seasons: [{duration: 2 min, start_height: 3 cm, terrain: "
+             "{tilted: 0.25 rad}}]\nsample_interval: 200 ms\nphysics: {step: "
+             "5 ms}\nservo: {range: 45 deg}\n"));
+  REQUIRE(read);
+  CHECK(read->seasons[0].duration == 120);
+  CHECK(read->seasons[0].start_height == 0.03);
+  CHECK(read->seasons[0].terrain.tilt == 0.25);
+  CHECK(read->sample_interval == 0.2);
+  CHECK(read->physics.step == 0.005);
+  CHECK(read->servo.range == std::numbers::pi / 4);
+}
+
+TEST_CASE("Mistakes in a scenario are shown where they are", "[scenario]") {
+  struct Row {
+    const char* why;
+    const char* text;
+    std::vector<const char*> parts;
+  };
+  const std::vector<Row> rows = {
+      {"no seasons", "name: a\n", {"error[P5106]: expected the key 'seasons'"}},
+      {"none in the list", "seasons: []\n", {"at least one season"}},
+      {"a length for a time",
+       "seasons: [{duration: 50 m}]\n",
+       {"expected a time in s, ms or min, found 'm'", "test.yaml:1:22"}},
+      {"an angle without unit",
+       "seasons: [{terrain: {tilted: 5}}]\n",
+       {"expected an angle with its unit: deg or rad", "write '5 deg'"}},
+      {"a wall",
+       "seasons: [{terrain: {tilted: 95 deg}}]\n",
+       {"at most 89 deg, found 95 deg"}},
+      {"tilted without its tilt",
+       "seasons: [{terrain: tilted}]\n",
+       {"expected the tilt of the ground", "write 'terrain: {tilted: 5 deg}'"}},
+      {"an unknown terrain",
+       "seasons: [{terrain: flaat}]\n",
+       {"expected flat or tilted, found 'flaat'", "did you mean 'flat'?"}},
+      {"an unknown key of a terrain",
+       "seasons: [{terrain: {tiltet: 5 deg}}]\n",
+       {"unknown key 'tiltet'", "did you mean 'tilted'?"}},
+      {"YAML's spelling of True",
+       "seasons: [{senses: {inclined: true}}]\n",
+       {"expected True or False, found 'true'", "write 'True', as in a clause",
+        "test.yaml:1:31"}},
+      {"two seasons of a name",
+       "seasons: [{name: a}, {name: a}]\n",
+       {"two seasons are called 'a'"}},
+      {"two default names", "seasons: [{}, {}]\n", {"two seasons"}},
+      {"a name that is a path",
+       "seasons: [{name: ../a}]\n",
+       {"expected a name of letters, digits, '_', '-' and '.'",
+        "test.yaml:1:18"}},
+      {"unknown physics",
+       "seasons: [{}]\nphysics: {gravitty: 9.8}\n",
+       {"unknown key 'gravitty'", "did you mean 'gravity'?"}},
+      {"a step of nothing",
+       "seasons: [{}]\nphysics: {step: 0}\n",
+       {"expected more than 0 s and at most 0.1 s, found 0 s"}},
+      {"an unknown solver",
+       "seasons: [{}]\nphysics: {solver: exact}\n",
+       {"expected direct or iterative, found 'exact'"}},
+      {"samples closer than steps",
+       "seasons: [{}]\nsample_interval: 1 ms\n",
+       {"error[P5108]: samples every 0.001 s are closer than the steps of "
+        "0.005 s",
+        "test.yaml:2:18"}},
+      {"samples further apart than a season",
+       "seasons: [{duration: 0.1 s}]\n",
+       {"samples every 0.2 s are further apart than season 'flat' is long"}},
+      {"not a number", "seasons: [{duration: .nan}]\n", {"found '.nan'"}},
+      {"all of them at once",
+       "seasons:\n  - {duration: x, start_height: y}\ncontroler: open_loop\n",
+       {"found 'x'", "found 'y'", "did you mean 'controller'?"}},
+  };
+  for (const Row& row : rows) {
+    DYNAMIC_SECTION(row.why) {
+      const std::string errors = Errors(row.text);
+      for (const char* part : row.parts) {
+        INFO(errors);
+        CHECK(errors.find(part) != std::string::npos);
+      }
+    }
+  }
+}
+
+}  // namespace plsc
