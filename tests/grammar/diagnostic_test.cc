@@ -93,5 +93,16 @@ TEST_CASE("A line too long for a terminal is cut around the place",
   CHECK(shown.find('X') != std::string::npos);
 }
 
+TEST_CASE("A message that quotes a name of megabytes is cut", "[diagnostic]") {
+  const Source source("a", "x");
+  // An odd number of bytes before characters of two: cut between characters.
+  std::string name = "x";
+  for (int i = 0; i < 100000; ++i) name += "\xC3\xA9";
+  const std::string shown = Render(At({0, 1}, name), source);
+  CHECK(shown.size() < 500);
+  CHECK(shown.find("\xC3...") == std::string::npos);
+  CHECK(shown.find("\xC3\xA9...") != std::string::npos);
+}
+
 }  // namespace
 }  // namespace plsc
