@@ -16,6 +16,17 @@ bool IsContinuation(char c) {
   return (static_cast<unsigned char>(c) & 0xC0) == 0x80;
 }
 
+// Longest message, label, note or help that is shown in full, in bytes: they
+// quote names, and a hostile name could be megabytes long.
+constexpr std::size_t kMaxMessage = 400;
+
+std::string Clip(std::string_view text) {
+  if (text.size() <= kMaxMessage) return std::string(text);
+  std::size_t end = kMaxMessage;
+  while (end > 0 && IsContinuation(text[end])) --end;
+  return std::string(text.substr(0, end)) + "...";
+}
+
 // A line as it is shown, and where its bytes went: tabs become blanks,
 // control characters and bytes that are not UTF-8 become '?', so that a
 // hostile file cannot drive the terminal.
@@ -96,7 +107,7 @@ std::string ShowPlace(const Source& source, Span span, char mark,
       fmt::format("{:>{}} | {}\n", line_number, gutter, shown.text);
   text += fmt::format("{:>{}} | {:{}}{}", "", gutter, "", first,
                       std::string(width, mark));
-  if (!label.empty()) text += fmt::format(" {}", label);
+  if (!label.empty()) text += fmt::format(" {}", Clip(label));
   return text + "\n";
 }
 
@@ -112,16 +123,17 @@ std::string Render(const Diagnostic& diagnostic, const Source& source) {
   std::string text =
       diagnostic.severity == Severity::kError ? "error" : "warning";
   if (!diagnostic.code.empty()) text += fmt::format("[{}]", diagnostic.code);
-  text += fmt::format(": {}\n", diagnostic.message);
+  text += fmt::format(": {}\n", Clip(diagnostic.message));
   text += fmt::format("{:>{}}--> {}:{}:{}\n", "", gutter, source.name(),
                       at.line, at.column);
   text += ShowPlace(source, diagnostic.span, '^', diagnostic.label, gutter);
   for (const Label& other : diagnostic.others)
     text += ShowPlace(source, other.span, '-', other.text, gutter);
   for (const std::string& note : diagnostic.notes)
-    text += fmt::format("{:>{}} = note: {}\n", "", gutter, note);
+    text += fmt::format("{:>{}} = note: {}\n", "", gutter, Clip(note));
   if (!diagnostic.help.empty())
-    text += fmt::format("{:>{}} = help: {}\n", "", gutter, diagnostic.help);
+    text +=
+        fmt::format("{:>{}} = help: {}\n", "", gutter, Clip(diagnostic.help));
   return text;
 }
 

@@ -124,7 +124,7 @@ Diagnostic Unclosed(const SyntaxContext& context, std::string_view thing) {
       {found.span,
        found.is_end
            ? std::string("the file ends here; insert '}' before")
-           : fmt::format("the next item starts here; insert '}}' before")});
+           : std::string("the next item starts here; insert '}' before")});
   diagnostic.fixes.push_back(
       {{context.previous_end, context.previous_end}, "\n}"});
   return diagnostic;
@@ -220,6 +220,11 @@ Diagnostic OfType(SyntaxError error, const SyntaxContext& context) {
     case SyntaxError::kIn:
       return Expected(context, "P1115", "'in' after 'real'",
                       "a real state has a range, as in 'real in -40..60'");
+    case SyntaxError::kDots: {
+      Diagnostic diagnostic = MissingMark(context, "..");
+      diagnostic.label = "a range is written LOW..HIGH";
+      return diagnostic;
+    }
     case SyntaxError::kEnumEnd:
       return InBraces(context, "list of values", "',' or '}'");
     default:
@@ -280,7 +285,7 @@ Diagnostic DescribeSyntaxError(SyntaxError error,
     case kColon:
       return MissingMark(context, ":");
     case kDots:
-      return MissingMark(context, "..");
+      return OfType(error, context);
     case kNumber:
       return MissingNumber(context, "P1108", "a number");
     case kSettingValue:
