@@ -1,12 +1,14 @@
-# Plastic in two states, so one genotype has four bodies. `inclined` chooses the
-# legs; `hot` chooses how much of the body touches the ground.
+# Plastic in two states, so one genotype has four bodies. `hot` chooses how the
+# robot stands, `inclined` whether it grows outriggers.
 #
-#               cool                      hot
-#   flat        crawls on its belly       walks on stilts
-#   inclined    crawls, with outriggers   stilts, with outriggers
+#               cool                       hot
+#   flat        paddles on its belly       walks on stilts
+#   inclined    paddles, with outriggers   stilts, with outriggers
 #
-# Clauses are joined as they are read: `and` binds tighter than `or`. Where two
-# rules of a symbol are active, both are used, in file order.
+# An idiom worth knowing: B and T in the rule of C come without a mounting
+# command, so the modules themselves are never mounted. They are calls: the
+# second rewriting replaces them by their own rules. In an environment where T
+# has no active rule, it stays a T and is not expressed.
 
 plsc 1
 
@@ -16,26 +18,33 @@ sense inclined: bool
 sense hot: bool
 iterations 2
 
-# the trunk, everywhere; B is a placeholder that the rules of B refine
+let beat = 4.0 # period of all joints, s
+
 rule C -> {
   C
-  add_left A1(0.5, 1.0, 4.0, 1.0) move_left add_front B move_back
-  add_right A1(0.5, 1.0, 4.0, 1.0) move_right add_front B move_back
-}
-# outriggers only where one could slide
-rule C -> if inclined = True then {
-  C
-  add_front B
-}
-# hot ground: the placeholder becomes a joint that lifts the body
-rule B -> if hot = True then {
-  A2(0.5, 1.5, 4.0, 1.25)
-}
-# cool and flat, or cool and inclined: a brick with a sensor
-rule B -> if hot = False and inclined = False or hot = False and inclined = True then {
   B
-  add_front
-  T(0.3)
+  T(0.1)
+}
+
+# cool: two paddles that sweep, and a sensor between them
+rule B -> if hot = False then {
+  add_left A1(0.5, 1.0, beat, 1.0) move_left add_front B move_back
+  add_right A1(0.5, 1.0, beat, 1.5) move_right add_front B move_back
+  add_front T(0.3)
+}
+# hot: four legs that lift the body off the ground
+rule B -> if hot = True then {
+  add_left A2(0.5, 2.0, beat, 1.0) move_left add_front B move_back
+  add_right A2(0.5, 2.0, beat, 1.5) move_right add_front B move_back
+  add_front A1(0.5, 1.0, beat, 1.25) move_front add_front B move_front
+  add_left A2(0.5, 2.0, beat, 1.5) move_left add_front B move_back
+  add_right A2(0.5, 2.0, beat, 1.0) move_right add_front B move_back
+  move_back move_back
+}
+# a slope: a foot on each side that does not lift, wherever there is room
+rule T -> if inclined = True then {
+  move_left move_front add_left B move_back move_back
+  move_right move_front add_right B move_back move_back
 }
 
 environment flat_cool { inclined = False hot = False }

@@ -23,7 +23,10 @@ constexpr std::array<std::string_view, 16> kOtherKeywords = {
 template <std::size_t N>
 bool Contains(const std::array<std::string_view, N>& words,
               std::string_view word) {
-  return std::find(words.begin(), words.end(), word) != words.end();
+  // Every name of every production is looked up: most fail at the first byte.
+  return std::any_of(words.begin(), words.end(), [&](std::string_view known) {
+    return known[0] == word[0] && known == word;
+  });
 }
 
 }  // namespace
@@ -33,11 +36,12 @@ std::span<const std::string_view> ItemKeywords() {
 }
 
 bool IsItemKeyword(std::string_view word) {
-  return Contains(kItemKeywords, word);
+  return !word.empty() && Contains(kItemKeywords, word);
 }
 
 bool IsKeyword(std::string_view word) {
-  return Contains(kOtherKeywords, word) || IsItemKeyword(word);
+  return !word.empty() &&
+         (Contains(kOtherKeywords, word) || Contains(kItemKeywords, word));
 }
 
 bool IsName(std::string_view text) {

@@ -8,9 +8,9 @@ namespace plsc {
 
 Source::Source(std::string name, std::string text)
     : name_(std::move(name)), text_(std::move(text)), line_begins_{0} {
-  for (std::size_t i = 0; i < text_.size(); ++i)
-    if (text_[i] == '\n')
-      line_begins_.push_back(static_cast<std::uint32_t>(i + 1));
+  for (std::size_t i = text_.find('\n'); i != std::string::npos;
+       i = text_.find('\n', i + 1))
+    line_begins_.push_back(static_cast<std::uint32_t>(i + 1));
 }
 
 Position Source::PositionOf(std::uint32_t offset) const {

@@ -80,6 +80,8 @@ PhysicsOptions ReadPhysics(YamlMap map) {
       "solver", static_cast<std::size_t>(physics.solver), SolverNames()));
   physics.solver_iterations =
       map.Int("solver_iterations", physics.solver_iterations, 1, 100000);
+  physics.max_direct_links =
+      map.Int("max_direct_links", physics.max_direct_links, 0, 100000);
   ReadNumbers(map, PhysicsKeys(), physics);
   map.Close();
   return physics;
@@ -280,6 +282,8 @@ std::string PrintScenarioKeys(const Scenario& scenario, int indent) {
                       blanks, deeper,
                       SolverNames()[static_cast<std::size_t>(physics.solver)],
                       deeper, physics.solver_iterations);
+  text +=
+      fmt::format("{}max_direct_links: {}\n", deeper, physics.max_direct_links);
   text += PrintNumbers(PhysicsKeys(), physics, deeper);
   text += fmt::format("{}servo:\n", blanks);
   text += PrintNumbers(ServoKeys(), scenario.servo, deeper);

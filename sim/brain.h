@@ -38,7 +38,7 @@ struct Brain {
 
 /// Inputs for the six channels of the core's IMU (linear acceleration x y z,
 /// angular velocity x y z). They exist in every robot, are never connected,
-/// and are not listed in Brain::nodes (reference 4.8).
+/// and are not listed in Brain::nodes (authors' program, plasticoding.py:663).
 inline constexpr int kImuInputs = 6;
 
 }  // namespace plsc

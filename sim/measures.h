@@ -1,6 +1,8 @@
 #pragma once
 
-// Behavioural descriptors (paper, "Behavioral descriptors"; reference 7.1).
+// Behavioural descriptors of a season (paper, "Behavioral descriptors"; named
+// as in the authors' program, measures.py, without its errors in durations
+// and windows). Computed from samples; knows no body but its size.
 
 #include "sim/trajectory.h"
 

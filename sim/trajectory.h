@@ -23,6 +23,7 @@ struct Trajectory {
                                       ///< the order of Body::modules
   Eigen::VectorXi contacts;           ///< contact points, (samples)
   std::int64_t steps = 0;             ///< simulated
+  int solver_warnings = 0;            ///< ODE's "LCP internal error"
   std::uint64_t state_hash = 0;       ///< of the final state, bit for bit
 };
 

@@ -2,8 +2,10 @@
 // CLI11.
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <sstream>
 
+#include "grammar/suggest.h"
 #include "runtime/cli/commands.h"
 #include "runtime/cli/version.h"
 
@@ -134,7 +136,9 @@ CLI::App* AddEvolve(CLI::App& app, EvolveCommand& command) {
                   "folder to make for the results; must not exist")
       ->required()
       ->option_text("FOLDER");
-  sub->add_option("--seed", command.seed, "instead of the experiment's seed");
+  sub->add_option("--seed", command.seed, "instead of the experiment's seed")
+      ->check(CLI::NonNegativeNumber)
+      ->option_text("N");
   sub->add_option("--jobs", command.jobs,
                   "worker processes (default: one a core); changes no result")
       ->check(CLI::Range(1, 1024))
@@ -154,7 +158,9 @@ CLI::App* AddRandom(CLI::App& app, RandomCommand& command) {
       "random", "Write a random genotype, as evolution begins with");
   sub->add_option("--seed", command.seed,
                   "the same seed gives the same genotype")
-      ->required();
+      ->required()
+      ->check(CLI::NonNegativeNumber)
+      ->option_text("N");
   sub->add_option("--encoding", command.encoding,
                   "plasticoding (default): rules with clauses; baseline: one "
                   "rule a symbol, always active")
@@ -185,13 +191,62 @@ CLI::App* AddRandom(CLI::App& app, RandomCommand& command) {
   return sub;
 }
 
-// CLI11's own exit() decides what is help and what an error; its numbers are
-// not ours.
+// The command that the user typed, or the whole program.
+const CLI::App& Chosen(const CLI::App& app) {
+  const auto chosen = app.get_subcommands();
+  return chosen.empty() ? app : *chosen.front();
+}
+
+std::string DidYouMean(const std::string& word,
+                       const std::vector<std::string>& names) {
+  const std::vector<std::string_view> known(names.begin(), names.end());
+  const auto nearest = Suggest(word, known);
+  return nearest ? "; did you mean '" + *nearest + "'?" : "";
+}
+
+std::vector<std::string> CommandNames(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands({}))
+    names.push_back(command->get_name());
+  return names;
+}
+
+std::vector<std::string> OptionNames(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : app.get_options())
+    for (const std::string& name : option->get_lnames())
+      names.push_back("--" + name);
+  return names;
+}
+
+// CLI11 lists what it did not expect from the back, options and values mixed.
+std::string ExplainExtras(const CLI::App& app) {
+  const CLI::App& chosen = Chosen(app);
+  std::vector<std::string> extras = app.remaining(true);
+  const auto option =
+      std::find_if(extras.begin(), extras.end(),
+                   [](const std::string& s) { return s.starts_with('-'); });
+  const std::string& word = option == extras.end() ? extras.front() : *option;
+  if (option == extras.end()) return "unexpected argument '" + word + "'";
+  return "unknown option '" + word + "'" +
+         DidYouMean(word, OptionNames(chosen));
+}
+
+Answer UsageError(const CLI::App& app, const std::string& message) {
+  std::string name = "plsc";
+  if (&Chosen(app) != &app) name += " " + Chosen(app).get_name();
+  return {Exit::kBadUsage, "",
+          "plsc: " + message + "\nsee '" + name + " --help'\n"};
+}
+
+// Help and version are no errors; CLI11 reports both by throwing.
 Answer AnswerTo(const CLI::App& app, const CLI::ParseError& error) {
+  if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr)
+    return UsageError(app, ExplainExtras(app));
   std::ostringstream out;
   std::ostringstream err;
-  const int code = app.exit(error, out, err);
-  return {code == 0 ? Exit::kFine : Exit::kBadUsage, out.str(), err.str()};
+  if (app.exit(error, out, err) == 0) return {Exit::kFine, out.str(), ""};
+  return UsageError(app, error.what());
 }
 
 }  // namespace
@@ -201,7 +256,6 @@ Command ParseArguments(const std::vector<std::string>& arguments) {
   app.set_version_flag("--version", std::string("plsc ") + kVersion);
   app.footer(kFooter);
   app.require_subcommand(1);
-  app.failure_message(CLI::FailureMessage::simple);
 
   CheckCommand check;
   FmtCommand fmt;
@@ -217,6 +271,13 @@ Command ParseArguments(const std::vector<std::string>& arguments) {
 
   AddRandom(app, random);
 
+  // CLI11 would only say that a subcommand is required.
+  if (!arguments.empty() && !arguments[0].starts_with('-')) {
+    const std::vector<std::string> known = CommandNames(app);
+    if (std::find(known.begin(), known.end(), arguments[0]) == known.end())
+      return UsageError(app, "unknown command '" + arguments[0] + "'" +
+                                 DidYouMean(arguments[0], known));
+  }
   try {
     // CLI11 takes the arguments from the back.
     app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));

@@ -1,0 +1,81 @@
+#include "sim/controller.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+
+namespace plsc {
+namespace {
+
+// What a servo takes; a hair inside 0 and 1 as in the authors' program
+// (PositionMotor.cpp:95), so that targets stay inside the joint's stops.
+constexpr double kMinOutput = 1e-5;
+constexpr double kMaxOutput = 0.99999;
+
+// Of an oscillator at phase 0, and of a joint that has none.
+constexpr double kRestOutput = 0.5;
+
+}  // namespace
+
+double Oscillate(const Node& oscillator, double time) {
+  assert(oscillator.period > 0);
+  const double turns = time / oscillator.period - oscillator.phase_offset;
+  return 0.5 +
+         oscillator.amplitude / 2 * std::sin(2 * std::numbers::pi * turns);
+}
+
+double ServoSpeed(double output, double angle, const ServoOptions& servo) {
+  const double share = std::clamp(output, kMinOutput, kMaxOutput);
+  const double target = -servo.range + share * 2 * servo.range;
+  return std::clamp(servo.gain * (target - angle), -servo.max_speed,
+                    servo.max_speed);
+}
+
+Controller::Controller(const Phenotype& phenotype, ControllerMode mode)
+    : brain_(phenotype.brain),
+      mode_(mode),
+      previous_(phenotype.brain.nodes.size(), kRestOutput) {
+  std::vector<int> joint_of_module;
+  for (const Module& module : phenotype.body.modules)
+    joint_of_module.push_back(IsJoint(module.type) ? static_cast<int>(joints_++)
+                                                   : kNoModule);
+  for (const Node& node : brain_.nodes) {
+    const int joint = joint_of_module[static_cast<std::size_t>(node.module)];
+    assert(node.type == NodeType::kInput || joint != kNoModule);
+    joint_of_node_.push_back(joint);
+  }
+}
+
+double Controller::Coupled(std::size_t node, double free_output,
+                           const std::vector<bool>& touched) const {
+  double output = free_output;
+  for (const Connection& edge : brain_.connections) {
+    if (static_cast<std::size_t>(edge.destination) != node) continue;
+    const auto source = static_cast<std::size_t>(edge.source);
+    if (source == node) {
+      output += edge.weight * (previous_[node] - kRestOutput);
+    } else if (touched[static_cast<std::size_t>(brain_.nodes[source].module)]) {
+      output += edge.weight;
+    }
+  }
+  return std::clamp(output, 0.0, 1.0);
+}
+
+std::vector<double> Controller::Update(double time,
+                                       const std::vector<bool>& touched) {
+  std::vector<double> outputs(joints_, kRestOutput);
+  for (std::size_t i = 0; i < brain_.nodes.size(); ++i) {
+    const Node& node = brain_.nodes[i];
+    if (node.type != NodeType::kOscillator) continue;
+    double output = Oscillate(node, time);
+    if (mode_ == ControllerMode::kCoupled) output = Coupled(i, output, touched);
+    // Safe within the loop: a loop edge reads its own node only.
+    previous_[i] = output;
+    outputs[static_cast<std::size_t>(joint_of_node_[i])] = output;
+  }
+  return outputs;
+}
+
+}  // namespace plsc

@@ -1,0 +1,108 @@
+#include "sim/ground.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace plsc {
+namespace {
+
+using Eigen::Vector3d;
+
+/// Twice the area of the triangle a, b, c seen against the normal; negative
+/// if they run clockwise.
+double Area(const Vector3d& a, const Vector3d& b, const Vector3d& c,
+            const Vector3d& normal) {
+  return (b - a).cross(c - a).dot(normal);
+}
+
+/// The contact of the greatest score; of equals the first, so that the choice
+/// never depends on anything but the numbers.
+template <typename Score>
+const GroundContact& Best(const std::vector<GroundContact>& contacts,
+                          const Score& score) {
+  return *std::max_element(contacts.begin(), contacts.end(),
+                           [&](const GroundContact& a, const GroundContact& b) {
+                             return score(a) < score(b);
+                           });
+}
+
+// m2. Boxes are millimetres across at least (1 mm the plate), so that real
+// triangles are larger by far; what is smaller is rounding.
+constexpr double kNoArea = 1e-9;
+
+}  // namespace
+
+Vector3d GroundNormal(const Terrain& terrain) {
+  if (terrain.type == TerrainType::kFlat) return Vector3d::UnitZ();
+  return {0, -std::sin(terrain.tilt), std::cos(terrain.tilt)};
+}
+
+LinkCorners CornersOf(const Link& link) {
+  LinkCorners corners;
+  for (const Box& box : link.boxes) {
+    BoxCorners next;
+    next.module = box.module;
+    for (int corner = 0; corner < 8; ++corner) {
+      const Vector3d signs((corner & 1) != 0 ? 1 : -1,
+                           (corner & 2) != 0 ? 1 : -1,
+                           (corner & 4) != 0 ? 1 : -1);
+      next.points.col(corner) = box.centre - link.centre +
+                                box.axes * signs.cwiseProduct(box.size) / 2;
+      corners.radius = std::max(corners.radius, next.points.col(corner).norm());
+    }
+    corners.boxes.push_back(next);
+  }
+  return corners;
+}
+
+void AppendGroundContacts(const LinkCorners& link, const LinkPose& pose,
+                          const Vector3d& normal,
+                          std::vector<GroundContact>& contacts) {
+  const double height = normal.dot(pose.position);
+  if (height > link.radius) return;
+  // The normal is turned into the link's frame once, not every corner out.
+  const Vector3d up = pose.axes.transpose() * normal;
+  for (const BoxCorners& box : link.boxes) {
+    for (int corner = 0; corner < 8; ++corner) {
+      const Vector3d point = box.points.col(corner);
+      const double depth = -(height + up.dot(point));
+      if (depth < 0) continue;
+      contacts.push_back(
+          {box.module, depth, pose.position + pose.axes * point});
+    }
+  }
+}
+
+std::vector<GroundContact> Spanning(const std::vector<GroundContact>& contacts,
+                                    const Vector3d& normal) {
+  if (contacts.size() <= static_cast<std::size_t>(kMaxGroundContacts))
+    return contacts;
+  const GroundContact& first =
+      Best(contacts, [](const GroundContact& c) { return c.depth; });
+  const Vector3d& a = first.position;
+  const GroundContact& second = Best(contacts, [&](const GroundContact& c) {
+    return (c.position - a).squaredNorm();
+  });
+  const Vector3d& b = second.position;
+  const GroundContact& third = Best(contacts, [&](const GroundContact& c) {
+    return std::abs(Area(a, b, c.position, normal));
+  });
+  const Vector3d& c = third.position;
+  const double area = Area(a, b, c, normal);
+  if (std::abs(area) < kNoArea) return {first, second};
+  // How far a point lies outside of the triangle, as the area it would add.
+  const double side = area > 0 ? 1 : -1;
+  const auto added = [&](const GroundContact& d) {
+    const Vector3d& p = d.position;
+    return -std::min({side * Area(a, b, p, normal),
+                      side * Area(b, c, p, normal),
+                      side * Area(c, a, p, normal)});
+  };
+  const GroundContact& fourth = Best(contacts, added);
+  if (added(fourth) < kNoArea) return {first, second, third};
+  return {first, second, third, fourth};
+}
+
+}  // namespace plsc

@@ -1,0 +1,59 @@
+#pragma once
+
+// Where a rigid link of boxes meets the ground. Box corners against a plane,
+// and of all corners of a link only a few that hold it as firmly: rows of the
+// contact problem are what a step costs (4 contacts for every box cost 4.5
+// times as much when many bottoms lie in one plane). Geometry only.
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "sim/assembly.h"
+#include "sim/terrain.h"
+
+namespace plsc {
+
+/// Contacts of one link that the solver gets. Four span the support of any
+/// link but for slivers of it.
+inline constexpr int kMaxGroundContacts = 4;
+
+/// Unit normal of the ground, which passes through the origin.
+Eigen::Vector3d GroundNormal(const Terrain& terrain);
+
+/// The corners of a box, about its link's centre of mass.
+struct BoxCorners {
+  int module = 0;  ///< index into Body::modules
+  Eigen::Matrix<double, 3, 8> points;
+};
+
+/// A link as the ground sees it.
+struct LinkCorners {
+  double radius = 0;  ///< m, from the centre of mass to the farthest corner
+  std::vector<BoxCorners> boxes;
+};
+
+LinkCorners CornersOf(const Link& link);
+
+struct GroundContact {
+  int module = 0;            ///< index into Body::modules
+  double depth = 0;          ///< m, at least 0
+  Eigen::Vector3d position;  ///< m, world frame
+};
+
+/// Where a link is: its centre of mass, and its axes as columns.
+struct LinkPose {
+  Eigen::Vector3d position;
+  Eigen::Matrix3d axes;
+};
+
+/// Appends every corner on or below the ground.
+void AppendGroundContacts(const LinkCorners& link, const LinkPose& pose,
+                          const Eigen::Vector3d& normal,
+                          std::vector<GroundContact>& contacts);
+
+/// At most kMaxGroundContacts of them: the deepest, the one farthest from it,
+/// and the two that widen the support most. Fewer if the rest adds no width.
+std::vector<GroundContact> Spanning(const std::vector<GroundContact>& contacts,
+                                    const Eigen::Vector3d& normal);
+
+}  // namespace plsc

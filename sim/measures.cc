@@ -1,0 +1,48 @@
+#include "sim/measures.h"
+
+#include <cassert>
+#include <cmath>
+#include <numbers>
+
+namespace plsc {
+namespace {
+
+/// m, of the core's centre as seen from above, from sample to sample.
+double PathLength(const Eigen::Matrix3Xd& position) {
+  double length = 0;
+  for (Eigen::Index i = 1; i < position.cols(); ++i)
+    length += (position.col(i) - position.col(i - 1)).head<2>().norm();
+  return length;
+}
+
+/// Eq. 4: 1 without any roll and pitch. Each can be pi at most but pitch only
+/// half of that, so the least is 0.25.
+double Balance(const Eigen::Matrix3Xd& orientation) {
+  const double samples = static_cast<double>(orientation.cols());
+  const double tilt = orientation.topRows<2>().cwiseAbs().sum();
+  return 1 - tilt / (samples * 2 * std::numbers::pi);
+}
+
+}  // namespace
+
+Behaviour Measure(const Trajectory& trajectory, int size) {
+  assert(size >= 1);
+  Behaviour behaviour;
+  const Eigen::Index last = trajectory.time.size() - 1;
+  if (trajectory.outcome != Outcome::kCompleted || last < 0) return behaviour;
+  behaviour.is_valid = true;
+  behaviour.head_balance = Balance(trajectory.core_orientation);
+  behaviour.contacts =
+      trajectory.contacts.cast<double>().mean() / static_cast<double>(size);
+  const double time = trajectory.time(last) - trajectory.time(0);
+  // A life without length has no speed.
+  if (time <= 0) return behaviour;
+  const Eigen::Vector3d way =
+      trajectory.core_position.col(last) - trajectory.core_position.col(0);
+  behaviour.displacement_velocity_hill = way.y() / time;
+  behaviour.displacement_velocity = way.head<2>().norm() / time;
+  behaviour.velocity = PathLength(trajectory.core_position) / time;
+  return behaviour;
+}
+
+}  // namespace plsc

@@ -1,0 +1,2 @@
+plsc 1
+alphabet plasticoding { replaceable X }  # expect error[P2010]

@@ -1,0 +1,3 @@
+plsc 1
+alphabet plasticodng 1  # expect error[P2010]
+rule Whatever -> { anything }

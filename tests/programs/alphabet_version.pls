@@ -1,0 +1,2 @@
+plsc 1
+alphabet plasticoding 2  # expect error[P5003]

@@ -1,0 +1,3 @@
+plsc 1
+alphabet plasticoding  # expect error[P1118]
+axiom C

@@ -1,0 +1,4 @@
+plsc 1
+alphabet plasticoding 1
+rule B { T(0.1) }  # expect error[P1115]
+rule T = { B }  # expect error[P1115]

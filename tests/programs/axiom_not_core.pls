@@ -1,0 +1,3 @@
+plsc 1
+alphabet plasticoding 1
+axiom B  # expect error[P2011]

@@ -1,0 +1,3 @@
+plsc 1
+alphabet mine { replaceable X, Y }
+axiom Z  # expect error[P2001]

@@ -1,0 +1,4 @@
+plsc 1
+alphabet plasticoding 1
+sense inclined: bool
+rule C -> if inclined = True && inclined = True then { C }  # expect error[P1104]

@@ -1,0 +1,5 @@
+plsc 1
+alphabet plasticoding 1
+sense inclined: bool
+rule C -> if inclined <> True then { C }  # expect error[P1104]
+rule B -> if inclined => True then { B }  # expect error[P1104]

@@ -1,0 +1,3 @@
+plsc 1
+alphabet plasticoding 1
+rule B -> { }  # expect error[P1113]

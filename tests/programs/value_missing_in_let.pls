@@ -1,0 +1,3 @@
+plsc 1
+alphabet plasticoding 1
+let w0 = fast  # expect error[P1108]

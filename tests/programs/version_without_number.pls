@@ -1,0 +1,2 @@
+plsc  # expect error[P5001]
+alphabet plasticoding 1

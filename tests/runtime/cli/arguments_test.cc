@@ -1,0 +1,86 @@
+#include <catch2/catch.hpp>
+
+#include "runtime/cli/commands.h"
+#include "tests/runtime/cli/run_plsc.h"
+
+namespace plsc {
+namespace {
+
+using test::RunPlsc;
+
+TEST_CASE("every command explains itself", "[arguments]") {
+  const auto overview = RunPlsc({"--help"});
+  CHECK(overview.exit == 0);
+  for (const char* command :
+       {"check", "fmt", "develop", "simulate", "evolve", "random"}) {
+    INFO(command);
+    CHECK(overview.out.find(command) != std::string::npos);
+    const auto help = RunPlsc({command, "--help"});
+    CHECK(help.exit == 0);
+    CHECK(help.err.empty());
+    CHECK(help.out.find("plsc " + std::string(command)) != std::string::npos);
+  }
+}
+
+TEST_CASE("the version is the project's", "[arguments]") {
+  const auto ran = RunPlsc({"--version"});
+  CHECK(ran.exit == 0);
+  CHECK(ran.out.substr(0, 5) == "plsc ");
+}
+
+TEST_CASE("a wrong command line is a usage error and does nothing",
+          "[arguments]") {
+  struct Row {
+    const char* why;
+    std::vector<std::string> arguments;
+    const char* names;  ///< what the message must name
+  };
+  const std::vector<Row> rows = {
+      {"no command", {}, "subcommand"},
+      {"unknown command", {"devlop"}, "did you mean 'develop'?"},
+      {"unknown option",
+       {"develop", "a.pls", "--evn", "x"},
+       "did you mean '--env'?"},
+      {"one file too many",
+       {"develop", "a.pls", "b.pls"},
+       "unexpected argument 'b.pls'"},
+      {"missing file", {"develop"}, "FILE"},
+      {"value missing", {"develop", "a.pls", "--env"}, "--env"},
+      {"unknown format", {"check", "a.pls", "--format", "xml"}, "--format"},
+      {"not a number", {"random", "--seed", "one"}, "--seed"},
+      {"negative seed", {"random", "--seed", "-1"}, "--seed"},
+      {"seed missing", {"random"}, "--seed"},
+      {"out of range",
+       {"evolve", "e.yaml", "-o", "x", "--jobs", "0"},
+       "--jobs"},
+      {"no output", {"evolve", "e.yaml"}, "--output"},
+      {"unknown encoding",
+       {"random", "--seed", "1", "--encoding", "cppn"},
+       "--encoding"},
+  };
+  for (const Row& row : rows) {
+    DYNAMIC_SECTION(row.why) {
+      const auto ran = RunPlsc(row.arguments);
+      CHECK(ran.exit == 2);
+      CHECK(ran.out.empty());
+      CHECK(ran.err.find(row.names) != std::string::npos);
+    }
+  }
+}
+
+TEST_CASE("arguments fill one struct a command", "[arguments]") {
+  const cli::Command command = cli::ParseArguments(
+      {"develop", "a.pls", "--env", "x=True,y=False", "--env", "flat",
+       "--format", "json", "--svg", "out", "--allow-range"});
+  const auto* develop = std::get_if<cli::DevelopCommand>(&command);
+  REQUIRE(develop != nullptr);
+  CHECK(develop->file == "a.pls");
+  CHECK(develop->environments ==
+        std::vector<std::string>{"x=True,y=False", "flat"});
+  CHECK(develop->format == cli::Format::kJson);
+  CHECK(develop->svg_folder == "out");
+  CHECK(develop->allow_range);
+}
+
+}  // namespace
+}  // namespace plsc
