@@ -1,0 +1,166 @@
+#include "runtime/evolve/experiment.h"
+
+#include <catch2/catch.hpp>
+#include <string>
+#include <vector>
+
+namespace plsc {
+
+namespace {
+
+std::string Errors(const std::string& text) {
+  const Source source("test.yaml", text);
+  const auto experiment = ParseExperiment(source);
+  return experiment ? "" : Render(experiment.diagnostics(), source, 0);
+}
+
+/// Every field differs from its default.
+Experiment Unusual() {
+  Experiment experiment;
+  experiment.name = "a: b";
+  experiment.seed = 18446744073709551615u;
+  experiment.robots = "gecko";
+  experiment.population = 10;
+  experiment.offspring = 20;
+  experiment.generations = 3;
+  experiment.mutation = 1.0 / 3;
+  experiment.crossover = 0;
+  experiment.tournament = 4;
+  experiment.genotype = {Encoding::kBaseline,
+                         {2, 20, true},
+                         {{"null", StateType::kBool, 0, 0, {}},
+                          {"temperature", StateType::kReal, -40, 60.5, {}},
+                          {"ground", StateType::kEnum, 0, 0, {"sand", "wet"}}},
+                         3,
+                         true,
+                         5,
+                         4};
+  experiment.scenario.name = "other";
+  experiment.scenario.seasons.pop_back();
+  return experiment;
+}
+
+}  // namespace
+
+TEST_CASE("Without any key an experiment is the paper's", "[experiment]") {
+  const auto read = ParseExperiment(Source("e", "{}"));
+  REQUIRE(read);
+  CHECK(*read == Experiment{});
+  CHECK(read->population == 100);
+  CHECK(read->offspring == 100);
+  CHECK(read->generations == 200);
+  CHECK(read->mutation == 0.8);
+  CHECK(read->crossover == 0.8);
+  CHECK(read->tournament == 2);
+  CHECK(read->genotype.development.iterations == 3);
+  CHECK(read->genotype.development.max_modules == 15);
+  CHECK(read->genotype.max_groups == 4);
+  CHECK(read->genotype.max_rules == 2);
+  CHECK(read->genotype.max_terms == 2);
+  CHECK(read->genotype.states.size() == 1);
+  CHECK(read->genotype.states[0].name == "inclined");
+  CHECK(read->scenario == PaperScenario());
+  CHECK(Evaluations(*read) == 20000);
+}
+
+TEST_CASE("A printed experiment reads back equal", "[experiment]") {
+  for (const Experiment& experiment : {Experiment{}, Unusual()}) {
+    const std::string text = PrintExperiment(experiment);
+    INFO(text);
+    INFO(Errors(text));
+    const auto read = ParseExperiment(Source("printed", text));
+    REQUIRE(read);
+    CHECK(*read == experiment);
+    CHECK(PrintExperiment(*read) == text);
+  }
+}
+
+TEST_CASE("A scenario of its own file is left to the caller", "[experiment]") {
+  const auto read = ParseExperiment(
+      Source("e", "scenario: seasons.yaml\nstates: [unheard_of]\n"));
+  REQUIRE(read);
+  CHECK(read->scenario_file == "seasons.yaml");
+  const std::vector<Diagnostic> errors = CheckSenses(*read);
+  REQUIRE(errors.size() == 2);
+  CHECK(errors[0].message.find("season 'flat'") != std::string::npos);
+  CHECK(errors[0].message.find("'unheard_of'") != std::string::npos);
+}
+
+TEST_CASE("Mistakes in an experiment are shown where they are",
+          "[experiment]") {
+  struct Row {
+    const char* why;
+    const char* text;
+    std::vector<const char*> parts;
+  };
+  const std::vector<Row> rows = {
+      {"an unknown key",
+       "popullation: 5\n",
+       {"unknown key 'popullation'", "did you mean 'population'?"}},
+      {"nobody to choose parents from",
+       "population: 1\n",
+       {"expected a whole number of 2 to 1000000, found 1"}},
+      {"no generation", "generations: 0\n", {"found 0"}},
+      {"a percentage",
+       "mutation: 80\n",
+       {"expected at least 0 and at most 1, found 80"}},
+      {"a percent sign", "mutation: 80%\n", {"without a unit, found '%'"}},
+      {"an unknown encoding",
+       "encoding: plastic\n",
+       {"expected plasticoding or baseline, found 'plastic'"}},
+      {"clauses without states",
+       "states: []\n",
+       {"expected at least one state", "write 'encoding: baseline'",
+        "test.yaml:1:9"}},
+      {"a state that is no name",
+       "states: [2nd]\n",
+       {"expected a state, found '2nd'"}},
+      {"a word of the language",
+       "states: [rule]\n",
+       {"expected a state, found 'rule'"}},
+      {"a state twice",
+       "states: [inclined, inclined]\n",
+       {"state 'inclined' is given twice", "test.yaml:1:20"}},
+      {"a range without its end",
+       "states: [{temperature: 5}]\n",
+       {"expected a range or a list of values, found '5'"}},
+      {"a range upside down",
+       "states: [{temperature: 60..-40}]\n",
+       {"expected a range from less to more"}},
+      {"an enum of one",
+       "states: [{ground: [wet]}]\n",
+       {"expected at least two values"}},
+      {"an enum that repeats itself",
+       "states: [{ground: [wet, wet]}]\n",
+       {"value 'wet' is given twice"}},
+      {"two states in one item",
+       "states: [{a: 0..1, b: 0..1}]\n",
+       {"expected one state here"}},
+      {"a state that no season answers",
+       "states: [windy]\nscenario:\n  seasons: [{}]\n",
+       {"season 'flat': expected True or False for state 'windy', found "
+        "nothing",
+        "test.yaml:3:3"}},
+      {"mistakes of the scenario inside",
+       "scenario:\n  seasons: [{duration: 5 kg}]\n  sedn: 1\n",
+       {"expected a time in s, ms or min, found 'kg'", "unknown key 'sedn'"}},
+      {"more robots than numbers",
+       "generations: 1000000\noffspring: 1000000\n",
+       {"more than can be numbered", "test.yaml:1:14"}},
+      {"a newer format", "plsc_experiment: 2\n", {"found 2"}},
+      {"a name of robots with a blank",
+       "robots: my robot\n",
+       {"expected a name, found 'my robot'"}},
+  };
+  for (const Row& row : rows) {
+    DYNAMIC_SECTION(row.why) {
+      const std::string errors = Errors(row.text);
+      for (const char* part : row.parts) {
+        INFO(errors);
+        CHECK(errors.find(part) != std::string::npos);
+      }
+    }
+  }
+}
+
+}  // namespace plsc
