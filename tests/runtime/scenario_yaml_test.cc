@@ -25,13 +25,13 @@ Scenario Unusual() {
   scenario.seasons[1].senses = {{"temperature", "-30.5"}, {"ground", "wet"}};
   scenario.seasons[0].duration = 1.0 / 3;
   PhysicsOptions& physics = scenario.physics;
-  physics = {0.003, Solver::kIterative,
-             17,    9.81,
-             0.2,   2e-5,
-             0.9,   0.02,
-             8e4,   1e6 / 7,
-             3e6,   8e4,
-             2e-4};
+  physics = {0.003,   Solver::kIterative,
+             17,      8,
+             9.81,    0.2,
+             2e-5,    0.9,
+             0.02,    8e4,
+             1e6 / 7, 3e6,
+             8e4,     2e-4};
   scenario.servo = {0.5, 1.1, 2.5, 0.2, 10};
   return scenario;
 }
