@@ -1,10 +1,9 @@
 #pragma once
 
 // A pool of worker processes that answer requests, texts both. Processes and
-// not threads, because only one ODE world may be stepped at a time in a
-// process, and because a robot that crashes the physics must not end the run:
-// see docs/decisions/0002-workers-are-processes.md. Knows neither genotypes
-// nor evaluations.
+// not threads, because a robot that crashes the physics must not end the run:
+// docs/decisions/0002-workers-are-processes.md. Knows neither genotypes nor
+// evaluations.
 
 #include <sys/types.h>
 
