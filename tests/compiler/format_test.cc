@@ -69,6 +69,8 @@ TEST_CASE("A comment may stand between any two tokens", "[format]") {
           const Result<std::string> result = Format(source, options);
           // Within a comment the rest of it becomes code, which may be wrong.
           if (!result) {
+            INFO(with);
+            INFO(result.diagnostics()[0].message);
             CHECK(result.diagnostics()[0].code != "P5090");
             continue;
           }
