@@ -133,7 +133,7 @@ class Writer {
     if (section != 7) return part.is_blank_before;
     if (!is_compact_) return true;
     return HeadOf(part) != HeadOf(last) ||
-           HasComment(part.first_comment, part.span.begin);
+           HasComment(part.first_comment, BracesOf(file_, *part.item).begin);
   }
 
   // `indent` blanks, the comment, a line's end.

@@ -240,6 +240,38 @@ Diagnostic OfAlphabet(SyntaxError error, const SyntaxContext& context) {
                       : "',', 'replaceable', 'terminal' or '}'");
 }
 
+Diagnostic OfMark(SyntaxError error, const SyntaxContext& context) {
+  switch (error) {
+    case SyntaxError::kArrow:
+      return MissingMark(context, "->");
+    case SyntaxError::kEquals:
+      return MissingMark(context, "=");
+    case SyntaxError::kColon:
+      return MissingMark(context, ":");
+    case SyntaxError::kOpenBrace:
+      return OpenBrace(context);
+    default:
+      return Expected(context, "P1109", "',' or ')'");
+  }
+}
+
+Diagnostic OfNumber(SyntaxError error, const SyntaxContext& context) {
+  switch (error) {
+    case SyntaxError::kArgument:
+      return Argument(context);
+    case SyntaxError::kDigits:
+      return DescribeMissingDigits(context);
+    case SyntaxError::kNumberEnd:
+      return DescribeNumberEnd(context);
+    case SyntaxError::kSettingValue:
+      return SettingValue(context);
+    case SyntaxError::kNumber:
+      return MissingNumber(context, "P1108", "a number");
+    default:
+      return MissingNumber(context, "P1108", "a value");
+  }
+}
+
 }  // namespace
 
 Diagnostic DescribeSyntaxError(SyntaxError error,
@@ -259,9 +291,12 @@ Diagnostic DescribeSyntaxError(SyntaxError error,
     case kEnumValue:
       return MissingName(context);
     case kArrow:
-      return MissingMark(context, "->");
     case kOpenBrace:
-      return OpenBrace(context);
+    case kCloseParen:
+    case kParametersEnd:
+    case kEquals:
+    case kColon:
+      return OfMark(error, context);
     case kFirstSymbol:
       return FirstSymbol(context);
     case kProductionEnd:
@@ -272,28 +307,15 @@ Diagnostic DescribeSyntaxError(SyntaxError error,
     case kThen:
       return OfClause(error, context);
     case kArgument:
-      return Argument(context);
-    case kCloseParen:
-    case kParametersEnd:
-      return Expected(context, "P1109", "',' or ')'");
     case kDigits:
-      return DescribeMissingDigits(context);
     case kNumberEnd:
-      return DescribeNumberEnd(context);
-    case kEquals:
-      return MissingMark(context, "=");
-    case kColon:
-      return MissingMark(context, ":");
-    case kDots:
-      return OfType(error, context);
     case kNumber:
-      return MissingNumber(context, "P1108", "a number");
     case kSettingValue:
-      return SettingValue(context);
     case kEntryValue:
-      return MissingNumber(context, "P1108", "a value");
+      return OfNumber(error, context);
     case kStateType:
     case kIn:
+    case kDots:
     case kEnumEnd:
     case kAlphabetBody:
     case kParameterType:

@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 #include <string>
 
+#include "compiler/compiled.h"
 #include "compiler/print.h"
 #include "compiler/programs.h"
 #include "compiler/random_genotype.h"
@@ -11,18 +12,10 @@
 namespace plsc {
 namespace {
 
+using testing::Compiled;
 using testing::RandomProgram;
 using testing::ReadFile;
 using testing::ValidProgramFiles;
-
-Program Compiled(const std::string& text) {
-  const Source source("a.pls", text);
-  const Result<Program> result = Compile(source);
-  INFO(text);
-  INFO(Render(result.diagnostics(), source));
-  REQUIRE(result);
-  return *result;
-}
 
 TEST_CASE("What is not written has the paper's value", "[compile]") {
   const Genotype genotype = Compiled("plsc 1 alphabet plasticoding 1").genotype;

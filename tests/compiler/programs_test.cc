@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <regex>
 #include <set>
@@ -56,6 +57,40 @@ TEST_CASE("Programs have the diagnostics that they announce, no others",
       CHECK(Found(source) == Expected(source));
     }
   }
+}
+
+// The text with all fixes of one diagnostic made.
+std::string Fixed(const Source& source, std::vector<Fix> fixes) {
+  std::sort(fixes.begin(), fixes.end(), [](const Fix& a, const Fix& b) {
+    return a.span.begin > b.span.begin;
+  });
+  std::string text(source.text());
+  for (const Fix& fix : fixes)
+    text.replace(fix.span.begin, fix.span.end - fix.span.begin,
+                 fix.replacement);
+  return text;
+}
+
+TEST_CASE("A fix repairs what it is offered for", "[programs]") {
+  int fixes = 0;
+  for (const auto& path : ProgramFiles()) {
+    const Source source(path.filename().string(), ReadFile(path));
+    const Result<Program> result = Compile(source);
+    if (result) continue;
+    for (const Diagnostic& diagnostic : result.diagnostics()) {
+      if (diagnostic.fixes.empty()) continue;
+      ++fixes;
+      const Source fixed("fixed", Fixed(source, diagnostic.fixes));
+      INFO(Render(diagnostic, source));
+      INFO(fixed.text());
+      // Errors that the broken item hid may show up, but not this one.
+      const auto found = Found(fixed);
+      const Position at = source.PositionOf(diagnostic.span.begin);
+      CHECK(found.count(
+                fmt::format("{}: error[{}]", at.line, diagnostic.code)) == 0);
+    }
+  }
+  CHECK(fixes >= 30);
 }
 
 TEST_CASE("Valid programs compile without a word", "[programs]") {
