@@ -41,7 +41,7 @@ run check "$robot"
 say "2. one genotype, two environments, two bodies"
 run develop "$robot" --svg "$output"
 say "3. both seasons in the simulator"
-run simulate "$robot"
+run simulate "$robot" --descriptors
 say "4. a small seasonal evolution"
 run evolve examples/small.yaml -o "$output/run"
 say "done: pictures and the run are in $output"

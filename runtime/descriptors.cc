@@ -277,4 +277,12 @@ std::vector<NamedValue> List(const BrainDescriptors& d) {
           {"synaptic_reception", d.synaptic_reception}};
 }
 
+std::vector<NamedValue> List(const Behaviour& b) {
+  return {{"velocity", b.velocity},
+          {"displacement_velocity", b.displacement_velocity},
+          {"displacement_velocity_hill", b.displacement_velocity_hill},
+          {"head_balance", b.head_balance},
+          {"contacts", b.contacts}};
+}
+
 }  // namespace plsc

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "sim/measures.h"
 #include "sim/phenotype.h"
 
 namespace plsc {
@@ -62,5 +63,7 @@ struct NamedValue {
 /// In the order of the structs above, under the same names.
 std::vector<NamedValue> List(const BodyDescriptors& descriptors);
 std::vector<NamedValue> List(const BrainDescriptors& descriptors);
+/// The behavioural ones of sim/measures.h, all 0 where they are not valid.
+std::vector<NamedValue> List(const Behaviour& behaviour);
 
 }  // namespace plsc

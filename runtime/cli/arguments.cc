@@ -113,6 +113,9 @@ CLI::App* AddSimulate(CLI::App& app, SimulateCommand& command) {
                   "paper's, 50 s Flat then 50 s Tilted by 5 degrees)")
       ->option_text("FILE");
   AddFormat(sub, command.format, "one season a line, with all descriptors");
+  sub->add_flag("--descriptors", command.descriptors,
+                "also list every descriptor, a column a season (json always "
+                "has them)");
   sub->add_option("--trajectory", command.trajectory_folder,
                   "also write each season's samples as FOLDER/SEASON.csv")
       ->option_text("FOLDER");

@@ -42,6 +42,7 @@ struct SimulateCommand {
   std::string scenario;  ///< empty: the paper's
   OutputFormat format = OutputFormat::kText;
   std::string trajectory_folder;  ///< empty: none
+  bool descriptors = false;       ///< all of them, text format only
 };
 
 struct EvolveCommand {

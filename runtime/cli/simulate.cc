@@ -53,6 +53,31 @@ void PrintRow(const SeasonResult& result, std::ostream& out) {
                      speed, balance, fitness, OutcomeName(result.outcome));
 }
 
+std::vector<NamedValue> DescriptorsOf(const SeasonResult& result) {
+  std::vector<NamedValue> all = List(result.behaviour);
+  for (const NamedValue& value : List(result.body)) all.push_back(value);
+  for (const NamedValue& value : List(result.brain)) all.push_back(value);
+  return all;
+}
+
+// One descriptor a line, one season a column, under the authors' names.
+void PrintDescriptors(const std::vector<SeasonResult>& results,
+                      std::ostream& out) {
+  out << fmt::format("\n{:<28}", "descriptor");
+  std::vector<std::vector<NamedValue>> columns;
+  for (const SeasonResult& result : results) {
+    out << fmt::format(" {:>12}", result.season);
+    columns.push_back(DescriptorsOf(result));
+  }
+  out << '\n';
+  for (std::size_t row = 0; row < columns.front().size(); ++row) {
+    out << fmt::format("{:<28}", columns.front()[row].name);
+    for (const auto& column : columns)
+      out << fmt::format(" {:>12.6g}", column[row].value);
+    out << '\n';
+  }
+}
+
 bool WriteTrajectory(const std::string& folder, const std::string& season,
                      const Trajectory& trajectory, Io& io) {
   std::error_code error;
@@ -85,6 +110,7 @@ Exit Run(const SimulateCommand& command, Io& io) {
     io.out << genotype.name << " in scenario " << scenario->name << '\n';
     PrintHeader(io.out);
   }
+  std::vector<SeasonResult> results;
   for (const Season& season : scenario->seasons) {
     const SeasonLife life = LiveSeason(genotype, *scenario, season);
     if (command.format == OutputFormat::kText)
@@ -95,7 +121,10 @@ Exit Run(const SimulateCommand& command, Io& io) {
         !WriteTrajectory(command.trajectory_folder, season.name,
                          life.trajectory, io))
       return Exit::kBadInput;
+    results.push_back(life.result);
   }
+  if (command.descriptors && command.format == OutputFormat::kText)
+    PrintDescriptors(results, io.out);
   return Exit::kFine;
 }
 

@@ -12,13 +12,7 @@ using Json = nlohmann::ordered_json;
 
 Json BehaviourJson(const Behaviour& behaviour) {
   if (!behaviour.is_valid) return nullptr;
-  Json json;
-  json["velocity"] = behaviour.velocity;
-  json["displacement_velocity"] = behaviour.displacement_velocity;
-  json["displacement_velocity_hill"] = behaviour.displacement_velocity_hill;
-  json["head_balance"] = behaviour.head_balance;
-  json["contacts"] = behaviour.contacts;
-  return json;
+  return DescriptorsJson(List(behaviour));
 }
 
 }  // namespace

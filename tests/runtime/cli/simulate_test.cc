@@ -47,6 +47,16 @@ TEST_CASE("simulate lives each season with the body of its environment",
                   test::kPlasticText)
               .out == ran.out);
   }
+  SECTION("every descriptor on demand") {
+    const auto table =
+        RunPlsc({"simulate", "-", "--scenario", scenario, "--descriptors"},
+                test::kPlasticText);
+    CHECK(table.exit == 0);
+    for (const char* name : {"head_balance", "absolute_size", "recurrence"})
+      CHECK(table.out.find(name) != std::string::npos);
+    // Header and two seasons as below; a blank, a header, 5 + 20 + 11.
+    CHECK(std::count(table.out.begin(), table.out.end(), '\n') == 4 + 2 + 36);
+  }
   SECTION("a table for people") {
     const auto table =
         RunPlsc({"simulate", "-", "--scenario", scenario}, test::kPlasticText);
