@@ -2,8 +2,7 @@
 
 // What a match builds: parts of the item at hand, and at its end the item.
 // Here the bases of all actions and those of rules; header_actions.h has the
-// rest.
-// See builder.h.
+// rest. The parts are those of builder.h.
 
 #include "grammar/builder.h"
 #include "grammar/keywords.h"
