@@ -18,8 +18,6 @@ namespace plsc {
 
 namespace {
 
-constexpr std::size_t kMaxErrors = 1000;  // as everywhere: nobody reads more
-
 Diagnostic Make(const char* code, Span span, std::string message) {
   Diagnostic diagnostic;
   diagnostic.code = code;
@@ -33,7 +31,7 @@ void CheckTermLimit(const ast::File& file, const Scope& scope,
   if (!scope.header.max_terms) return;
   const auto limit = static_cast<std::uint32_t>(*scope.header.max_terms);
   for (const ast::Rule& rule : file.rules) {
-    if (rule.terms.count <= limit || diagnostics->size() >= kMaxErrors)
+    if (rule.terms.count <= limit || diagnostics->size() >= kMaxReported)
       continue;
     Diagnostic diagnostic =
         Make("P3001", rule.clause,
@@ -77,7 +75,7 @@ class EnvironmentChecker {
   std::vector<Diagnostic> Check() {
     std::unordered_map<std::string_view, Span> names;
     for (const ast::Environment& environment : file_.environments) {
-      if (diagnostics_.size() >= kMaxErrors) break;
+      if (diagnostics_.size() >= kMaxReported) break;
       const auto [first, is_new] =
           names.emplace(file_.Text(environment.name), environment.name);
       if (!is_new) {
@@ -99,6 +97,7 @@ class EnvironmentChecker {
     std::vector<Span> given(states.size());
     bool all_known = true;
     for (std::uint32_t k = 0; k < environment.entries.count; ++k) {
+      if (diagnostics_.size() >= kMaxReported) return;
       const std::uint32_t at = environment.entries.first + k;
       const ResolvedTerm& entry = resolution_.entries[at];
       if (!entry) {
@@ -205,7 +204,7 @@ std::vector<Diagnostic> CheckClauses(const ast::File& file, const Scope& scope,
     warning.help = is_always ? "without the clause the rule is always active"
                              : "this rule is never active";
     warnings.push_back(std::move(warning));
-    if (warnings.size() >= kMaxErrors) break;
+    if (warnings.size() >= kMaxReported) break;
   }
   return warnings;
 }

@@ -20,7 +20,4 @@ std::vector<Diagnostic> Check(const ast::File& file, const Scope& scope,
 std::vector<Diagnostic> CheckClauses(const ast::File& file, const Scope& scope,
                                      const Resolution& resolution);
 
-/// `A1(w in -1..1, a in 1..10, p in 1..10, o in 1..10)`, for messages.
-std::string Signature(const SymbolInfo& symbol);
-
 }  // namespace plsc

@@ -6,15 +6,12 @@
 #include <string>
 #include <utility>
 
-#include "compiler/check.h"
 #include "compiler/limits.h"
 #include "compiler/print.h"
 
 namespace plsc {
 
 namespace {
-
-constexpr std::size_t kMaxErrors = 1000;  // as everywhere: nobody reads more
 
 std::string RangeText(const Parameter& parameter) {
   if (std::isinf(parameter.low) && std::isinf(parameter.high)) return "";
@@ -41,10 +38,10 @@ class SymbolChecker {
         options_(options) {}
 
   std::vector<Diagnostic> Check() {
-    for (std::size_t i = 0; i < file_.rules.size(); ++i) {
+    for (std::size_t i = 0; i < file_.rules.size() && !is_full(); ++i) {
       const ast::Rule& rule = file_.rules[i];
       CheckHead(rule, resolution_.heads[i]);
-      for (std::uint32_t k = 0; k < rule.symbols.count; ++k) {
+      for (std::uint32_t k = 0; k < rule.symbols.count && !is_full(); ++k) {
         const auto id = resolution_.symbols[rule.symbols.first + k];
         if (id) CheckArguments(file_.symbols[rule.symbols.first + k], *id);
       }
@@ -54,13 +51,13 @@ class SymbolChecker {
   }
 
  private:
+  bool is_full() const { return diagnostics_.size() >= kMaxReported; }
+
   Diagnostic& Report(const char* code, Span span, std::string message) {
     Diagnostic diagnostic;
     diagnostic.code = code;
     diagnostic.span = span;
     diagnostic.message = std::move(message);
-    // Beyond the limit one place is written again and again.
-    if (diagnostics_.size() >= kMaxErrors) return diagnostics_.back();
     return diagnostics_.emplace_back(std::move(diagnostic));
   }
 
@@ -142,7 +139,7 @@ class SymbolChecker {
   // it occurs nowhere else.
   void CheckCore(const ast::Rule& rule, std::optional<SymbolId> head) {
     const bool is_core_rule = head == plasticoding::kC;
-    for (std::uint32_t k = 0; k < rule.symbols.count; ++k) {
+    for (std::uint32_t k = 0; k < rule.symbols.count && !is_full(); ++k) {
       const std::uint32_t at = rule.symbols.first + k;
       const auto id = resolution_.symbols[at];
       const bool is_core = id == plasticoding::kC;

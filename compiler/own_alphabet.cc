@@ -21,6 +21,7 @@ class Declarer {
     std::vector<SymbolInfo> symbols;
     for (const ast::Declaration& symbol :
          ast::Slice(file_.declarations, declared.declarations)) {
+      if (diagnostics_.size() >= kMaxReported) break;
       if (symbols.size() == kMaxSymbols) {
         Report("P3002", symbol.name,
                fmt::format("an alphabet has at most {} symbols", kMaxSymbols));

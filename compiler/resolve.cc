@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "compiler/foreign_names.h"
+#include "compiler/limits.h"
 #include "compiler/print.h"
 #include "grammar/number_error.h"
 #include "grammar/suggest.h"
@@ -13,9 +14,6 @@
 namespace plsc {
 
 namespace {
-
-// Nobody reads more, and a hostile file could hold millions.
-constexpr std::size_t kMaxErrors = 1000;
 
 template <typename T, typename Name>
 std::vector<std::string_view> NamesOf(const std::vector<T>& things, Name name) {
@@ -50,7 +48,7 @@ class Resolver {
  private:
   void Report(const char* code, Span span, std::string message,
               std::string label = "") {
-    if (result_.diagnostics.size() >= kMaxErrors) return;
+    if (result_.diagnostics.size() >= kMaxReported) return;
     Diagnostic diagnostic;
     diagnostic.code = code;
     diagnostic.span = span;
@@ -60,7 +58,7 @@ class Resolver {
   }
 
   void SuggestAmong(const std::vector<std::string_view>& known, Span span) {
-    if (result_.diagnostics.size() >= kMaxErrors) return;
+    if (result_.diagnostics.size() >= kMaxReported) return;
     const auto near = Suggest(file_.Text(span), known);
     if (!near) return;
     Diagnostic& diagnostic = result_.diagnostics.back();
@@ -123,7 +121,7 @@ class Resolver {
                              return std::string_view(symbol.name);
                            }),
                    name);
-    } else if (result_.diagnostics.size() < kMaxErrors) {
+    } else if (result_.diagnostics.size() < kMaxReported) {
       Diagnostic& diagnostic = result_.diagnostics.back();
       diagnostic.label = fmt::format("write '{}'", foreign);
       diagnostic.notes.push_back(ForeignNote(text));
@@ -135,7 +133,7 @@ class Resolver {
     const std::string_view name = file_.Text(value.span);
     if (const Constant* constant = scope_.FindConstant(name)) return constant;
     if (IsNotFiniteWord(name)) {
-      if (result_.diagnostics.size() < kMaxErrors)
+      if (result_.diagnostics.size() < kMaxReported)
         result_.diagnostics.push_back(NotANumber(name, value.span));
     } else if (!file_.is_incomplete) {
       Report("P2009", value.span,
@@ -183,7 +181,7 @@ class Resolver {
         NamesOf(states,
                 [](const State& s) { return std::string_view(s.name); }),
         state);
-    if (result_.diagnostics.size() >= kMaxErrors) return;
+    if (result_.diagnostics.size() >= kMaxReported) return;
     Diagnostic& diagnostic = result_.diagnostics.back();
     if (diagnostic.fixes.empty())
       diagnostic.help =
@@ -253,7 +251,7 @@ class Resolver {
       label = fmt::format("it is one of {}", fmt::join(state.values, ", "));
     }
     Report("P2006", value.span, std::move(message), std::move(label));
-    if (result_.diagnostics.size() >= kMaxErrors) return;
+    if (result_.diagnostics.size() >= kMaxReported) return;
     const auto id = scope_.FindState(state.name);
     result_.diagnostics.back().others.push_back(
         {scope_.state_spans[static_cast<std::size_t>(*id)], "declared here"});

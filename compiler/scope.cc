@@ -36,7 +36,10 @@ class Declarer {
   }
 
   Scope Declare() {
-    for (const ast::Item& item : file_.items) DeclareItem(item);
+    for (const ast::Item& item : file_.items) {
+      if (scope_.diagnostics.size() >= kMaxReported) break;
+      DeclareItem(item);
+    }
     if (scope_.header.name.empty()) scope_.header.name = kUnnamed;
     FinishAlphabet();
     FinishAxiom();

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "grammar/actions.h"
+#include "grammar/header_actions.h"
 #include "grammar/messages.h"
 #include "grammar/recover.h"
 #include "grammar/screen.h"

@@ -3,7 +3,6 @@
 #include <catch2/catch.hpp>
 #include <string>
 
-#include "compiler/check.h"
 #include "compiler/compiled.h"
 
 namespace plsc {

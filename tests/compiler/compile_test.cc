@@ -195,6 +195,11 @@ TEST_CASE("Huge and deep texts end in a program or a reason", "[compile]") {
       {"many errors on a line", head + Repeat("rule B -> { x } ", 20000),
        false},
       {"many comments", head + Repeat("# c\n", 200000), true},
+      {"many wrong symbols",
+       head + "rule B -> {" + Repeat(" C T", 200000) + "}", false},
+      {"many settings", head + Repeat("iterations 3\n", 100000), false},
+      {"many entries",
+       head + "environment e {" + Repeat(" hot = True", 100000) + "}", false},
       {"many states", head + Repeat("sense hot: bool\n", 50000), false},
   };
   for (const Row& row : rows) {
@@ -202,6 +207,7 @@ TEST_CASE("Huge and deep texts end in a program or a reason", "[compile]") {
       const Source source("huge", row.text);
       const Result<Program> result = Compile(source);
       CHECK(static_cast<bool>(result) == row.compiles);
+      CHECK(result.diagnostics().size() < 5000);
       CHECK(Render(result.diagnostics(), source).size() < 100000);
     }
   }

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "compiler/check.h"
+#include "compiler/check_symbols.h"
 #include "compiler/compile.h"
 #include "compiler/format.h"
 #include "compiler/programs.h"
