@@ -280,7 +280,9 @@ void VerifyGenotype(const Genotype& genotype, Findings* found) {
     found->Expect(false, [] { return "there is no alphabet"; });
     return;
   }
-  VerifyName(genotype.name, "genotype", found);
+  found->Expect(IsGenotypeName(genotype.name), [&] {
+    return fmt::format("genotype '{}' is not a name", genotype.name);
+  });
   VerifyAlphabet(*genotype.alphabet, found);
   VerifyStates(genotype.states, found);
   VerifyAxiom(genotype, found);

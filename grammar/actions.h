@@ -109,6 +109,17 @@ template <> struct Action<and_word>      : TakeConnective<ast::Connective::kAnd>
 template <> struct Action<or_word>       : TakeConnective<ast::Connective::kOr> {};
 // clang-format on
 
+// Nothing refers to a genotype by its name, so only a word that begins an item
+// would be mistaken for one: `genotype test` is fine.
+template <>
+struct Action<genotype_name> {
+  template <typename Input>
+  static bool apply(const Input& in, Builder& b) {
+    b.name = SpanOf(in, b);
+    return IsGenotypeName(b.file.Text(b.name));
+  }
+};
+
 template <>
 struct Action<name_value> {
   template <typename Input>

@@ -29,6 +29,11 @@ bool Contains(const std::array<std::string_view, N>& words,
   });
 }
 
+bool IsIdentifier(std::string_view text) {
+  return !text.empty() && !(text[0] >= '0' && text[0] <= '9') &&
+         std::all_of(text.begin(), text.end(), IsWordCharacter);
+}
+
 }  // namespace
 
 std::span<const std::string_view> ItemKeywords() {
@@ -45,9 +50,11 @@ bool IsKeyword(std::string_view word) {
 }
 
 bool IsName(std::string_view text) {
-  return !text.empty() && !(text[0] >= '0' && text[0] <= '9') &&
-         std::all_of(text.begin(), text.end(), IsWordCharacter) &&
-         !IsKeyword(text);
+  return IsIdentifier(text) && !IsKeyword(text);
+}
+
+bool IsGenotypeName(std::string_view text) {
+  return IsIdentifier(text) && !IsItemKeyword(text);
 }
 
 }  // namespace plsc

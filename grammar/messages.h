@@ -16,6 +16,7 @@ template <> inline constexpr auto kError<wanted_plsc>          = SyntaxError::kV
 template <> inline constexpr auto kError<wanted_version>       = SyntaxError::kVersionNumber;
 template <> inline constexpr auto kError<item>                 = SyntaxError::kItem;
 template <> inline constexpr auto kError<wanted_name>          = SyntaxError::kName;
+template <> inline constexpr auto kError<wanted_genotype_name> = SyntaxError::kName;
 template <> inline constexpr auto kError<wanted_head>          = SyntaxError::kName;
 template <> inline constexpr auto kError<wanted_declared>      = SyntaxError::kName;
 template <> inline constexpr auto kError<wanted_parameter>     = SyntaxError::kName;

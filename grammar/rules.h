@@ -96,7 +96,9 @@ struct rule_item   : seq<begin_item<kw_rule>, must<wanted_head>, must<arrow>, op
 
 struct item_name     : identifier {};
 struct wanted_name   : token<item_name> {};
-struct genotype_item : seq<begin_item<kw_genotype>, must<wanted_name>> {};
+struct genotype_name : identifier {};
+struct wanted_genotype_name : token<genotype_name> {};
+struct genotype_item : seq<begin_item<kw_genotype>, must<wanted_genotype_name>> {};
 struct axiom_item    : seq<begin_item<kw_axiom>, must<wanted_name>> {};
 
 struct equals_mark : mark<'='> {};

@@ -14,6 +14,14 @@ TEST_CASE("A name is an identifier that is no keyword", "[keywords]") {
     CHECK_FALSE(IsName(other));
 }
 
+TEST_CASE("A genotype may have the name of a word that begins no item",
+          "[keywords]") {
+  for (const char* name : {"gecko", "test", "real", "True"})
+    CHECK(IsGenotypeName(name));
+  for (const char* other : {"", "9x", "a-b", "rule", "sense"})
+    CHECK_FALSE(IsGenotypeName(other));
+}
+
 TEST_CASE("Every item keyword is a keyword", "[keywords]") {
   CHECK(ItemKeywords().size() == 12);
   for (const std::string_view word : ItemKeywords()) {
