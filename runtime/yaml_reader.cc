@@ -285,7 +285,7 @@ bool YamlMap::Bool(std::string_view key, bool otherwise) {
   return value ? value->Bool().value_or(otherwise) : otherwise;
 }
 
-std::string YamlMap::Text(std::string_view key, std::string otherwise) {
+std::string YamlMap::Text(std::string_view key, const std::string& otherwise) {
   const std::optional<YamlValue> value = Find(key);
   return value ? value->Text("a name").value_or(otherwise) : otherwise;
 }
