@@ -158,9 +158,9 @@ bool operator==(const Alphabet& a, const Alphabet& b) {
 }
 
 const AlphabetPtr& PlasticodingAlphabet() {
-  static const AlphabetPtr kAlphabet =
+  static const AlphabetPtr alphabet =
       std::make_shared<const Alphabet>("plasticoding", 1, TableOne());
-  return kAlphabet;
+  return alphabet;
 }
 
 }  // namespace plsc

@@ -185,7 +185,7 @@ class Resolver {
         state);
     if (result_.diagnostics.size() >= kMaxErrors) return;
     Diagnostic& diagnostic = result_.diagnostics.back();
-    if (diagnostic.fixes.empty() && states.empty())
+    if (diagnostic.fixes.empty())
       diagnostic.help =
           fmt::format("declare it, as in 'sense {}: bool'", file_.Text(state));
     if (diagnostic.fixes.empty()) return;

@@ -1,9 +1,10 @@
-# One genotype, two bodies: plastic in `inclined`.
+# One genotype, two bodies: plastic in `inclined`, which the robot's IMU senses.
 #
-# The rules of C without a clause build what every body has. The others are
-# switched by what the robot's IMU senses: on flat ground it grows four legs and
-# a spine that walk; on a slope it grows a low chain of joints that crawls, and
-# a wide tail that keeps it from rolling down.
+# The first rule of C has no clause, so it is always active: a walker with four
+# legs and a spine, as in gecko.pls. It leaves the turtle on the shoulder, where
+# the other two rules go on. On flat ground one of them adds a touch sensor; on
+# a slope the other adds a neck and a third pair of legs. Active rules are
+# joined in file order, and only the first brings the leading C.
 
 plsc 1
 
@@ -12,29 +13,26 @@ alphabet plasticoding 1
 sense inclined: bool
 iterations 1
 
-# always: the core and a touch sensor that faces uphill
+# everywhere: hind legs, spine, shoulder, front legs
 rule C -> {
   C
+  add_left A2(0.4, 1.0, 2.0, 1.0) move_left add_front B move_back
+  add_right A2(0.4, 1.0, 2.0, 1.5) move_right add_front B move_back
+  add_front A1(0.7, 2.0, 2.0, 1.75) move_front add_front B move_front
+  add_left A2(0.4, 1.0, 2.0, 1.5) move_left add_front B move_back
+  add_right A2(0.4, 1.0, 2.0, 1.0) move_right add_front B move_back
 }
-# flat: hind legs, spine, shoulder, front legs
+# flat: feel what is ahead
 rule C -> if inclined = False then {
   C
-  add_left A2(0.4, 1.2, 3.0, 1.0) move_left add_front B move_back
-  add_right A2(0.4, 1.2, 3.0, 1.5) move_right add_front B move_back
-  add_front A1(0.7, 2.0, 3.0, 1.25) move_front add_front B move_front
-  add_left A2(0.4, 1.2, 3.0, 1.5) move_left add_front B move_back
-  add_right A2(0.4, 1.2, 3.0, 1.0) move_right add_front B move_back
+  add_front T(0.5)
 }
-# tilted: a chain to the front that crawls, outriggers at the sides
+# tilted: six legs hold better than four
 rule C -> if inclined = True then {
   C
-  add_left B
-  add_right B
-  add_front A2(0.4, 1.5, 4.0, 1.0) move_front
-  add_front B move_front
-  add_front A2(0.4, 1.5, 4.0, 1.3) move_front
-  add_front B move_front
-  add_left T(0.5)
+  add_front A1(0.7, 2.0, 2.0, 1.25) move_front add_front B move_front
+  add_left A2(0.4, 1.0, 2.0, 1.0)
+  add_right A2(0.4, 1.0, 2.0, 1.5)
 }
 
 environment flat { inclined = False }

@@ -1,9 +1,9 @@
 # Plastic in two states, so one genotype has four bodies. `hot` chooses how the
-# robot stands, `inclined` whether it grows outriggers.
+# robot moves, `inclined` whether its head carries a crossbar.
 #
 #               cool                       hot
-#   flat        paddles on its belly       walks on stilts
-#   inclined    paddles, with outriggers   stilts, with outriggers
+#   flat        crawls on its belly        walks on four legs
+#   inclined    crawls, with a crossbar    walks, with a crossbar
 #
 # An idiom worth knowing: B and T in the rule of C come without a mounting
 # command, so the modules themselves are never mounted. They are calls: the
@@ -18,7 +18,8 @@ sense inclined: bool
 sense hot: bool
 iterations 2
 
-let beat = 4.0 # period of all joints, s
+let swing = 1.5 # amplitude of the joints that crawl
+let beat = 2.0  # period of all joints, s
 
 rule C -> {
   C
@@ -26,28 +27,29 @@ rule C -> {
   T(0.1)
 }
 
-# cool: two paddles that sweep, and a sensor between them
+# cool: a chain of horizontal joints, a wave that runs through it
 rule B -> if hot = False then {
-  add_left A1(0.5, 1.0, beat, 1.0) move_left add_front B move_back
-  add_right A1(0.5, 1.0, beat, 1.5) move_right add_front B move_back
-  add_front T(0.3)
+  add_front A2(0.5, swing, beat, 1.0) move_front add_front B move_front
+  add_front A2(0.5, swing, beat, 1.1) move_front add_front B move_front
+  add_front A2(0.5, swing, beat, 1.2) move_front add_front B move_front
+  add_front A2(0.5, swing, beat, 1.3) move_front add_front B move_front
 }
-# hot: four legs that lift the body off the ground
+# hot: legs that lift the body, a spine, a head
 rule B -> if hot = True then {
-  add_left A2(0.5, 2.0, beat, 1.0) move_left add_front B move_back
-  add_right A2(0.5, 2.0, beat, 1.5) move_right add_front B move_back
-  add_front A1(0.5, 1.0, beat, 1.25) move_front add_front B move_front
-  add_left A2(0.5, 2.0, beat, 1.5) move_left add_front B move_back
-  add_right A2(0.5, 2.0, beat, 1.0) move_right add_front B move_back
-  move_back move_back
+  add_left A2(0.5, 1.0, beat, 1.0) move_left add_front B move_back
+  add_right A2(0.5, 1.0, beat, 1.5) move_right add_front B move_back
+  add_front A1(0.5, 2.0, beat, 1.75) move_front add_front B move_front
+  add_left A2(0.5, 1.0, beat, 1.5) move_left add_front B move_back
+  add_right A2(0.5, 1.0, beat, 1.0) move_right add_front B move_back
+  add_front B move_front
 }
-# a slope: a foot on each side that does not lift, wherever there is room
+# a slope: a crossbar at the head, wherever that is
 rule T -> if inclined = True then {
-  move_left move_front add_left B move_back move_back
-  move_right move_front add_right B move_back move_back
+  add_left B
+  add_right B
 }
 
-environment flat_cool { inclined = False hot = False }
-environment flat_hot { inclined = False hot = True }
-environment tilted_cool { inclined = True hot = False }
-environment tilted_hot { inclined = True hot = True }
+environment flat_cool { inclined = False, hot = False }
+environment flat_hot { inclined = False, hot = True }
+environment tilted_cool { inclined = True, hot = False }
+environment tilted_hot { inclined = True, hot = True }

@@ -13,8 +13,8 @@ genotype gecko
 alphabet plasticoding 1
 iterations 1
 
-let beat = 3.0 # period of the gait, s
-let lift = 1.2 # amplitude of the legs
+let beat = 2.0 # period of the gait, s
+let lift = 1.0 # amplitude of the legs
 let bend = 2.0 # amplitude of the spine
 
 rule C -> {
@@ -34,7 +34,7 @@ rule C -> {
   move_back
   # spine and shoulder
   add_front
-  A1(0.7, bend, beat, 1.25)
+  A1(0.7, bend, beat, 1.75)
   move_front
   add_front
   B

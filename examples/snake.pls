@@ -5,9 +5,9 @@
 # turtle on its tip, so the next one continues there.
 #
 # The joint's own rule makes the wave. A segment that has been rewritten n times
-# carries n mutate_off commands behind its joint, so each segment swings 0.3
-# periods later than the one before it. Try `plsc develop` with `iterations 2`
-# and watch the string.
+# carries n mutate_off commands behind its joint, so each segment swings a tenth
+# of a period before the one behind it, and the wave runs towards the tail. Try
+# `plsc develop` with `iterations 2` and watch the string.
 
 plsc 1
 
@@ -19,13 +19,13 @@ max_modules 15
 rule C -> {
   C
   add_front
-  A2(0.5, 1.5, 3.0, 1.0)
+  A1(0.5, 1.5, 3.0, 2.0)
   move_front
   add_front
   B
   move_front
 }
-rule A2 -> {
-  A2(0.5, 1.5, 3.0, 1.0)
-  mutate_off(0.3)
+rule A1 -> {
+  A1(0.5, 1.5, 3.0, 2.0)
+  mutate_off(-0.1)
 }

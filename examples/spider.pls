@@ -16,9 +16,9 @@ alphabet plasticoding 1
 iterations 1
 move_to_new True
 
-let sweep = 1.0 # amplitude: one full swing of 45 degrees to each side
+let sweep = 2.0 # amplitude; beyond 1 the swing is wide and nearly square
 let lift = 1.0
-let beat = 4.0  # period, s
+let beat = 3.0  # period, s
 
 # left
 rule C -> {

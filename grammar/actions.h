@@ -10,7 +10,7 @@
 namespace plsc::grammar {
 
 template <typename Rule>
-struct action : nothing<Rule> {};
+struct Action : nothing<Rule> {};
 
 template <typename Input>
 Span SpanOf(const Input& in, const Builder& b) {
@@ -20,7 +20,7 @@ Span SpanOf(const Input& in, const Builder& b) {
 
 // Bases of actions, by what they do with what matched.
 
-struct take_number {
+struct TakeNumber {
   template <typename Input>
   static void apply(const Input& in, Builder& b) {
     b.TakeNumber(SpanOf(in, b));
@@ -28,7 +28,7 @@ struct take_number {
 };
 
 template <ast::Value::Kind kKind>
-struct take_value {
+struct TakeValue {
   template <typename Input>
   static void apply(const Input& in, Builder& b) {
     b.value = {};
@@ -38,7 +38,7 @@ struct take_value {
 };
 
 template <Span Builder::*kMember>
-struct take_span {
+struct TakeSpan {
   template <typename Input>
   static void apply(const Input& in, Builder& b) {
     b.*kMember = SpanOf(in, b);
@@ -47,7 +47,7 @@ struct take_span {
 
 // A name is an identifier that is no keyword; else the rule does not match.
 template <Span Builder::*kMember>
-struct take_name {
+struct TakeName {
   template <typename Input>
   static bool apply(const Input& in, Builder& b) {
     b.*kMember = SpanOf(in, b);
@@ -56,7 +56,7 @@ struct take_name {
 };
 
 template <ast::Comparison kComparison>
-struct take_comparison {
+struct TakeComparison {
   template <typename Input>
   static void apply(const Input& in, Builder& b) {
     b.term.comparison = kComparison;
@@ -65,14 +65,14 @@ struct take_comparison {
 };
 
 template <ast::Connective kConnective>
-struct take_connective {
+struct TakeConnective {
   static void apply0(Builder& b) { b.connective = kConnective; }
 };
 
 // Tokens.
 
 template <>
-struct action<comment> {
+struct Action<comment> {
   template <typename Input>
   static void apply(const Input& in, Builder& b) {
     Span span = SpanOf(in, b);
@@ -82,7 +82,7 @@ struct action<comment> {
 };
 
 template <>
-struct action<gap> {
+struct Action<gap> {
   template <typename Input>
   static void apply(const Input& in, Builder& b) {
     b.previous_end = SpanOf(in, b).begin;
@@ -90,35 +90,35 @@ struct action<gap> {
 };
 
 // clang-format off
-template <> struct action<number>      : take_number {};
-template <> struct action<true_value>  : take_value<ast::Value::Kind::kTrue> {};
-template <> struct action<false_value> : take_value<ast::Value::Kind::kFalse> {};
-template <> struct action<open_mark>   : take_span<&Builder::open> {};
-template <> struct action<end_mark>    : take_span<&Builder::close> {};
-template <> struct action<item_name>   : take_name<&Builder::name> {};
-template <> struct action<head>        : take_name<&Builder::name> {};
+template <> struct Action<number>      : TakeNumber {};
+template <> struct Action<true_value>  : TakeValue<ast::Value::Kind::kTrue> {};
+template <> struct Action<false_value> : TakeValue<ast::Value::Kind::kFalse> {};
+template <> struct Action<open_mark>   : TakeSpan<&Builder::open> {};
+template <> struct Action<end_mark>    : TakeSpan<&Builder::close> {};
+template <> struct Action<item_name>   : TakeName<&Builder::name> {};
+template <> struct Action<head>        : TakeName<&Builder::name> {};
 
-template <> struct action<equal>         : take_comparison<ast::Comparison::kEqual> {};
-template <> struct action<not_equal>     : take_comparison<ast::Comparison::kNotEqual> {};
-template <> struct action<less>          : take_comparison<ast::Comparison::kLess> {};
-template <> struct action<less_equal>    : take_comparison<ast::Comparison::kLessEqual> {};
-template <> struct action<greater>       : take_comparison<ast::Comparison::kGreater> {};
-template <> struct action<greater_equal> : take_comparison<ast::Comparison::kGreaterEqual> {};
-template <> struct action<and_word>      : take_connective<ast::Connective::kAnd> {};
-template <> struct action<or_word>       : take_connective<ast::Connective::kOr> {};
+template <> struct Action<equal>         : TakeComparison<ast::Comparison::kEqual> {};
+template <> struct Action<not_equal>     : TakeComparison<ast::Comparison::kNotEqual> {};
+template <> struct Action<less>          : TakeComparison<ast::Comparison::kLess> {};
+template <> struct Action<less_equal>    : TakeComparison<ast::Comparison::kLessEqual> {};
+template <> struct Action<greater>       : TakeComparison<ast::Comparison::kGreater> {};
+template <> struct Action<greater_equal> : TakeComparison<ast::Comparison::kGreaterEqual> {};
+template <> struct Action<and_word>      : TakeConnective<ast::Connective::kAnd> {};
+template <> struct Action<or_word>       : TakeConnective<ast::Connective::kOr> {};
 // clang-format on
 
 template <>
-struct action<name_value> {
+struct Action<name_value> {
   template <typename Input>
   static bool apply(const Input& in, Builder& b) {
-    take_value<ast::Value::Kind::kName>::apply(in, b);
+    TakeValue<ast::Value::Kind::kName>::apply(in, b);
     return !IsKeyword(b.file.Text(b.value.span));
   }
 };
 
 template <typename Keyword>
-struct action<begin_item<Keyword>> {
+struct Action<begin_item<Keyword>> {
   template <typename Input>
   static void apply(const Input& in, Builder& b) {
     b.BeginItem({SpanOf(in, b).begin, b.previous_end});
@@ -128,7 +128,7 @@ struct action<begin_item<Keyword>> {
 // Rules.
 
 template <>
-struct action<symbol_name> {
+struct Action<symbol_name> {
   template <typename Input>
   static bool apply(const Input& in, Builder& b) {
     const Span span = SpanOf(in, b);
@@ -141,7 +141,7 @@ struct action<symbol_name> {
 };
 
 template <>
-struct action<argument_value> {
+struct Action<argument_value> {
   static void apply0(Builder& b) {
     b.file.arguments.push_back(b.value);
     ++b.file.symbols.back().arguments.count;
@@ -149,7 +149,7 @@ struct action<argument_value> {
 };
 
 template <>
-struct action<close_mark> {
+struct Action<close_mark> {
   template <typename Input>
   static void apply(const Input& in, Builder& b) {
     b.file.symbols.back().has_parens = true;
@@ -158,7 +158,7 @@ struct action<close_mark> {
 };
 
 template <>
-struct action<state_name> {
+struct Action<state_name> {
   template <typename Input>
   static bool apply(const Input& in, Builder& b) {
     b.term.state = SpanOf(in, b);
@@ -167,7 +167,7 @@ struct action<state_name> {
 };
 
 template <>
-struct action<term_value> {
+struct Action<term_value> {
   static void apply0(Builder& b) {
     b.CheckTermValue();
     b.term.value = b.value;
@@ -181,7 +181,7 @@ struct action<term_value> {
 };
 
 template <>
-struct action<rule_item> {
+struct Action<rule_item> {
   static void apply0(Builder& b) {
     b.rule.head = b.name;
     b.rule.open = b.open;
@@ -194,7 +194,7 @@ struct action<rule_item> {
 // Items of the header.
 
 template <>
-struct action<genotype_item> {
+struct Action<genotype_item> {
   static void apply0(Builder& b) {
     b.EndItem(ast::ItemKind::kGenotype, b.file.genotypes.size());
     b.file.genotypes.push_back({b.name});
@@ -202,7 +202,7 @@ struct action<genotype_item> {
 };
 
 template <>
-struct action<axiom_item> {
+struct Action<axiom_item> {
   static void apply0(Builder& b) {
     b.EndItem(ast::ItemKind::kAxiom, b.file.axioms.size());
     b.file.axioms.push_back({b.name});
@@ -210,7 +210,7 @@ struct action<axiom_item> {
 };
 
 template <>
-struct action<let_item> {
+struct Action<let_item> {
   static void apply0(Builder& b) {
     b.EndItem(ast::ItemKind::kLet, b.file.lets.size());
     b.file.lets.push_back({b.name, b.value});
@@ -218,7 +218,7 @@ struct action<let_item> {
 };
 
 template <>
-struct action<setting_key> {
+struct Action<setting_key> {
   template <typename Input>
   static void apply(const Input& in, Builder& b) {
     const Span span = SpanOf(in, b);
@@ -234,7 +234,7 @@ struct action<setting_key> {
 };
 
 template <>
-struct action<setting_item> {
+struct Action<setting_item> {
   static void apply0(Builder& b) {
     b.EndItem(ast::ItemKind::kSetting, b.file.settings.size());
     b.file.settings.push_back({b.setting_key, b.value});
@@ -244,7 +244,7 @@ struct action<setting_item> {
 // Types.
 
 template <>
-struct action<low_bound> {
+struct Action<low_bound> {
   template <typename Input>
   static void apply(const Input& in, Builder& b) {
     b.TakeNumber(SpanOf(in, b));
@@ -253,7 +253,7 @@ struct action<low_bound> {
 };
 
 template <>
-struct action<high_bound> {
+struct Action<high_bound> {
   template <typename Input>
   static void apply(const Input& in, Builder& b) {
     b.TakeNumber(SpanOf(in, b));
@@ -263,17 +263,17 @@ struct action<high_bound> {
 };
 
 template <>
-struct action<real_type> {
+struct Action<real_type> {
   static void apply0(Builder& b) { b.sense.type = ast::SenseType::kReal; }
 };
 
 template <>
-struct action<enum_type> {
+struct Action<enum_type> {
   static void apply0(Builder& b) { b.sense.type = ast::SenseType::kEnum; }
 };
 
 template <>
-struct action<enum_value> {
+struct Action<enum_value> {
   template <typename Input>
   static bool apply(const Input& in, Builder& b) {
     const Span span = SpanOf(in, b);
@@ -285,7 +285,7 @@ struct action<enum_value> {
 };
 
 template <>
-struct action<sense_item> {
+struct Action<sense_item> {
   static void apply0(Builder& b) {
     b.sense.name = b.name;
     b.sense.bounds = b.bounds;
@@ -297,21 +297,21 @@ struct action<sense_item> {
 // A file's own alphabet.
 
 // clang-format off
-template <> struct action<vocabulary_version> : take_number {};
+template <> struct Action<vocabulary_version> : TakeNumber {};
 // clang-format on
 
 template <bool kReplaceable>
-struct begin_group {
+struct BeginGroup {
   static void apply0(Builder& b) { b.is_replaceable = kReplaceable; }
 };
 
 // clang-format off
-template <> struct action<replaceable_word> : begin_group<true> {};
-template <> struct action<terminal_word>    : begin_group<false> {};
+template <> struct Action<replaceable_word> : BeginGroup<true> {};
+template <> struct Action<terminal_word>    : BeginGroup<false> {};
 // clang-format on
 
 template <>
-struct action<declared_name> {
+struct Action<declared_name> {
   template <typename Input>
   static bool apply(const Input& in, Builder& b) {
     const Span span = SpanOf(in, b);
@@ -324,7 +324,7 @@ struct action<declared_name> {
 };
 
 template <>
-struct action<parameter_name> {
+struct Action<parameter_name> {
   template <typename Input>
   static bool apply(const Input& in, Builder& b) {
     const Span span = SpanOf(in, b);
@@ -337,29 +337,29 @@ struct action<parameter_name> {
 };
 
 template <>
-struct action<int_word> {
+struct Action<int_word> {
   static void apply0(Builder& b) { b.file.parameters.back().is_integer = true; }
 };
 
 template <>
-struct action<parameter> {
+struct Action<parameter> {
   static void apply0(Builder& b) { b.file.parameters.back().bounds = b.bounds; }
 };
 
 template <>
-struct action<declaration> {
+struct Action<declaration> {
   static void apply0(Builder& b) {
     b.file.declarations.back().span.end = b.previous_end;
   }
 };
 
 template <>
-struct action<alphabet_open> {
+struct Action<alphabet_open> {
   static void apply0(Builder& b) { b.alphabet.is_own = true; }
 };
 
 template <>
-struct action<alphabet_item> {
+struct Action<alphabet_item> {
   static void apply0(Builder& b) {
     b.alphabet.name = b.name;
     b.alphabet.version = b.value;
@@ -373,7 +373,7 @@ struct action<alphabet_item> {
 // Environments.
 
 template <>
-struct action<entry_state> {
+struct Action<entry_state> {
   template <typename Input>
   static bool apply(const Input& in, Builder& b) {
     b.entry.state = SpanOf(in, b);
@@ -382,7 +382,7 @@ struct action<entry_state> {
 };
 
 template <>
-struct action<entry_value> {
+struct Action<entry_value> {
   static void apply0(Builder& b) {
     b.CheckTermValue();
     b.entry.value = b.value;
@@ -393,7 +393,7 @@ struct action<entry_value> {
 };
 
 template <>
-struct action<environment_item> {
+struct Action<environment_item> {
   static void apply0(Builder& b) {
     b.environment.name = b.name;
     b.environment.open = b.open;
@@ -406,7 +406,7 @@ struct action<environment_item> {
 // The version line.
 
 template <>
-struct action<version_number> {
+struct Action<version_number> {
   template <typename Input>
   static void apply(const Input& in, Builder& b) {
     b.TakeNumber(SpanOf(in, b));
@@ -414,7 +414,7 @@ struct action<version_number> {
 };
 
 template <>
-struct action<version> {
+struct Action<version> {
   template <typename Input>
   static void apply(const Input& in, Builder& b) {
     b.file.version = {SpanOf(in, b).begin, b.previous_end};

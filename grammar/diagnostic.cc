@@ -4,66 +4,20 @@
 
 #include <algorithm>
 
+#include "grammar/shown_line.h"
+
 namespace plsc {
 
 namespace {
 
-constexpr int kTabWidth = 4;  // columns of a tab in a shown line
 // Longest shown line in characters; a minified file must not flood a terminal.
 constexpr std::size_t kMaxShown = 160;
+// Longest message, label, note or help that is shown in full, in characters:
+// they quote names, and a hostile name could be megabytes long.
+constexpr std::size_t kMaxMessage = 400;
 
-bool IsContinuation(char c) {
-  return (static_cast<unsigned char>(c) & 0xC0) == 0x80;
-}
-
-// A line as it is shown, and where its bytes went: tabs become blanks,
-// control characters and bytes that are not UTF-8 become '?', so that a
-// hostile file cannot drive the terminal.
-struct ShownLine {
-  std::string text;
-  std::vector<int> column_of_byte;  // one more than the line has bytes
-};
-
-int SequenceLength(std::string_view line, std::size_t i) {
-  const auto lead = static_cast<unsigned char>(line[i]);
-  const int length = lead < 0x80             ? 1
-                     : (lead & 0xE0) == 0xC0 ? 2
-                     : (lead & 0xF0) == 0xE0 ? 3
-                     : (lead & 0xF8) == 0xF0 ? 4
-                                             : 0;
-  if (length == 0 || i + static_cast<std::size_t>(length) > line.size())
-    return 0;
-  for (int k = 1; k < length; ++k)
-    if (!IsContinuation(line[i + static_cast<std::size_t>(k)])) return 0;
-  return length;
-}
-
-ShownLine Show(std::string_view line) {
-  ShownLine shown;
-  int column = 0;
-  for (std::size_t i = 0; i < line.size();) {
-    const int length = SequenceLength(line, i);
-    const char c = line[i];
-    if (c == '\t') {
-      const int blanks = kTabWidth - column % kTabWidth;
-      shown.text.append(static_cast<std::size_t>(blanks), ' ');
-      shown.column_of_byte.push_back(column);
-      column += blanks;
-      ++i;
-      continue;
-    }
-    const bool is_control = length == 1 && (c < ' ' || c == 0x7F);
-    const int bytes = std::max(length, 1);
-    if (length == 0 || is_control)
-      shown.text += '?';
-    else
-      shown.text.append(line.substr(i, static_cast<std::size_t>(bytes)));
-    for (int k = 0; k < bytes; ++k) shown.column_of_byte.push_back(column);
-    ++column;
-    i += static_cast<std::size_t>(bytes);
-  }
-  shown.column_of_byte.push_back(column);
-  return shown;
+std::string Clip(std::string_view text) {
+  return Printable(text, kMaxMessage);
 }
 
 // One source line with `mark` repeated under the bytes of `span`.
@@ -72,31 +26,28 @@ std::string ShowPlace(const Source& source, Span span, char mark,
   const int line_number = source.PositionOf(span.begin).line;
   const std::string_view line = source.Line(line_number);
   const std::uint32_t line_begin = source.LineBegin(line_number);
-  ShownLine shown = Show(line);
+  const ShownLine shown = Show(line);
   const auto column_at = [&](std::uint32_t offset) {
-    const std::size_t byte =
-        std::min<std::size_t>(offset - line_begin, line.size());
-    return static_cast<std::size_t>(shown.column_of_byte[byte]);
+    return shown.column_of_byte[std::min<std::size_t>(offset - line_begin,
+                                                      line.size())];
   };
   std::size_t first = column_at(span.begin);
   const std::size_t last = column_at(std::max(span.end, span.begin));
   std::size_t width = last > first ? last - first : 1;
-  if (shown.text.size() > kMaxShown) {
-    // Cut bytes, not characters, only when all are one byte; else keep.
+  std::string shown_text = shown.Text(0, shown.columns.size());
+  if (shown.columns.size() > kMaxShown) {
     const std::size_t from = first > kMaxShown / 2 ? first - kMaxShown / 2 : 0;
-    if (std::none_of(shown.text.begin(), shown.text.end(), IsContinuation)) {
-      shown.text = (from > 0 ? "..." : "") +
-                   shown.text.substr(from, kMaxShown) +
-                   (from + kMaxShown < shown.text.size() ? "..." : "");
-      first = first - from + (from > 0 ? 3 : 0);
-      width = std::min(width, shown.text.size() + 1 - first);
-    }
+    const bool is_cut_after = from + kMaxShown < shown.columns.size();
+    shown_text = (from > 0 ? "..." : "") + shown.Text(from, kMaxShown) +
+                 (is_cut_after ? "..." : "");
+    width = std::min(width, from + kMaxShown + 1 - first);
+    first = first - from + (from > 0 ? 3 : 0);
   }
   std::string text =
-      fmt::format("{:>{}} | {}\n", line_number, gutter, shown.text);
+      fmt::format("{:>{}} | {}\n", line_number, gutter, shown_text);
   text += fmt::format("{:>{}} | {:{}}{}", "", gutter, "", first,
                       std::string(width, mark));
-  if (!label.empty()) text += fmt::format(" {}", label);
+  if (!label.empty()) text += fmt::format(" {}", Clip(label));
   return text + "\n";
 }
 
@@ -112,16 +63,17 @@ std::string Render(const Diagnostic& diagnostic, const Source& source) {
   std::string text =
       diagnostic.severity == Severity::kError ? "error" : "warning";
   if (!diagnostic.code.empty()) text += fmt::format("[{}]", diagnostic.code);
-  text += fmt::format(": {}\n", diagnostic.message);
+  text += fmt::format(": {}\n", Clip(diagnostic.message));
   text += fmt::format("{:>{}}--> {}:{}:{}\n", "", gutter, source.name(),
                       at.line, at.column);
   text += ShowPlace(source, diagnostic.span, '^', diagnostic.label, gutter);
   for (const Label& other : diagnostic.others)
     text += ShowPlace(source, other.span, '-', other.text, gutter);
   for (const std::string& note : diagnostic.notes)
-    text += fmt::format("{:>{}} = note: {}\n", "", gutter, note);
+    text += fmt::format("{:>{}} = note: {}\n", "", gutter, Clip(note));
   if (!diagnostic.help.empty())
-    text += fmt::format("{:>{}} = help: {}\n", "", gutter, diagnostic.help);
+    text +=
+        fmt::format("{:>{}} = help: {}\n", "", gutter, Clip(diagnostic.help));
   return text;
 }
 

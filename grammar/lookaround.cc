@@ -90,6 +90,8 @@ Found FoundBefore(std::string_view text, std::uint32_t end) {
     extend([](char c) { return IsWordCharacter(c) || c == '.' || c == '-'; });
   else if (IsOperator(text[begin]))
     extend(IsOperator);
+  else if (text[begin] == '.')
+    extend([](char c) { return c == '.'; });
   return Make(text, begin, end);
 }
 

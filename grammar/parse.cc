@@ -51,7 +51,7 @@ ParseResult Parse(const Source& source) {
   using Input = tao::pegtl::memory_input<tao::pegtl::tracking_mode::lazy>;
   Input in(b.file.text.data(), b.file.text.data() + b.file.text.size(), "");
   [[maybe_unused]] const bool matched =
-      tao::pegtl::parse<grammar::file, grammar::action, Control>(in, b);
+      tao::pegtl::parse<grammar::file, grammar::Action, Control>(in, b);
   assert(matched && "the top level recovers from everything");
 
   // Another version's rules are not ours to judge.

@@ -11,6 +11,8 @@
 
 namespace plsc::grammar {
 
+// Rules are spelled as PEGTL spells its own.
+// NOLINTBEGIN(readability-identifier-naming)
 // clang-format off
 struct line            : sor<one<'\n'>, seq<plus<not_one<'\n'>>, opt<one<'\n'>>>> {};
 struct item_start      : seq<star<one<' ', '\t'>>, item_keyword> {};
@@ -20,5 +22,6 @@ struct lost_version    : sor<at<item_keyword>, eof, skip_to_item> {};
 struct first_item      : sor<try_catch_type<SyntaxFailure, version>, lost_version> {};
 struct file            : seq<opt<utf8::bom>, gap, first_item, until<eof, recovering_item>> {};
 // clang-format on
+// NOLINTEND(readability-identifier-naming)
 
 }  // namespace plsc::grammar

@@ -15,6 +15,8 @@ namespace plsc::grammar {
 // The vocabulary of the rules below (seq, sor, must, ...) is PEGTL's.
 using namespace tao::pegtl;  // NOLINT(google-build-using-namespace)
 
+// Rules are spelled as PEGTL spells its own.
+// NOLINTBEGIN(readability-identifier-naming)
 // clang-format off
 struct comment : seq<one<'#'>, star<not_one<'\n'>>> {};
 struct gap     : star<sor<plus<one<' ', '\t', '\r', '\n'>>, comment>> {};
@@ -168,5 +170,6 @@ struct version_number : seq<plus<digit>, not_at<identifier_other>> {};
 struct wanted_version : token<version_number> {};
 struct version        : seq<must<wanted_plsc>, must<wanted_version>> {};
 // clang-format on
+// NOLINTEND(readability-identifier-naming)
 
 }  // namespace plsc::grammar

@@ -114,8 +114,7 @@ std::optional<Diagnostic> Screen(const Source& source) {
   if (text.starts_with(kUtf8Bom)) text.remove_prefix(kUtf8Bom.size());
   if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) {
     Diagnostic diagnostic = At("P5013", 0, "file is empty");
-    diagnostic.help =
-        "a genotype file starts with 'plsc 1' and has at least one rule";
+    diagnostic.help = "a genotype file starts with 'plsc 1'";
     return diagnostic;
   }
   if (auto encoding = ScreenEncoding(source.text())) return encoding;

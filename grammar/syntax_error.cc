@@ -124,7 +124,7 @@ Diagnostic Unclosed(const SyntaxContext& context, std::string_view thing) {
       {found.span,
        found.is_end
            ? std::string("the file ends here; insert '}' before")
-           : fmt::format("the next item starts here; insert '}}' before")});
+           : std::string("the next item starts here; insert '}' before")});
   diagnostic.fixes.push_back(
       {{context.previous_end, context.previous_end}, "\n}"});
   return diagnostic;
@@ -220,6 +220,11 @@ Diagnostic OfType(SyntaxError error, const SyntaxContext& context) {
     case SyntaxError::kIn:
       return Expected(context, "P1115", "'in' after 'real'",
                       "a real state has a range, as in 'real in -40..60'");
+    case SyntaxError::kDots: {
+      Diagnostic diagnostic = MissingMark(context, "..");
+      diagnostic.label = "a range is written LOW..HIGH";
+      return diagnostic;
+    }
     case SyntaxError::kEnumEnd:
       return InBraces(context, "list of values", "',' or '}'");
     default:
@@ -233,6 +238,38 @@ Diagnostic OfAlphabet(SyntaxError error, const SyntaxContext& context) {
                   error == SyntaxError::kGroup
                       ? "'replaceable' or 'terminal'"
                       : "',', 'replaceable', 'terminal' or '}'");
+}
+
+Diagnostic OfMark(SyntaxError error, const SyntaxContext& context) {
+  switch (error) {
+    case SyntaxError::kArrow:
+      return MissingMark(context, "->");
+    case SyntaxError::kEquals:
+      return MissingMark(context, "=");
+    case SyntaxError::kColon:
+      return MissingMark(context, ":");
+    case SyntaxError::kOpenBrace:
+      return OpenBrace(context);
+    default:
+      return Expected(context, "P1109", "',' or ')'");
+  }
+}
+
+Diagnostic OfNumber(SyntaxError error, const SyntaxContext& context) {
+  switch (error) {
+    case SyntaxError::kArgument:
+      return Argument(context);
+    case SyntaxError::kDigits:
+      return DescribeMissingDigits(context);
+    case SyntaxError::kNumberEnd:
+      return DescribeNumberEnd(context);
+    case SyntaxError::kSettingValue:
+      return SettingValue(context);
+    case SyntaxError::kNumber:
+      return MissingNumber(context, "P1108", "a number");
+    default:
+      return MissingNumber(context, "P1108", "a value");
+  }
 }
 
 }  // namespace
@@ -254,9 +291,12 @@ Diagnostic DescribeSyntaxError(SyntaxError error,
     case kEnumValue:
       return MissingName(context);
     case kArrow:
-      return MissingMark(context, "->");
     case kOpenBrace:
-      return OpenBrace(context);
+    case kCloseParen:
+    case kParametersEnd:
+    case kEquals:
+    case kColon:
+      return OfMark(error, context);
     case kFirstSymbol:
       return FirstSymbol(context);
     case kProductionEnd:
@@ -267,28 +307,15 @@ Diagnostic DescribeSyntaxError(SyntaxError error,
     case kThen:
       return OfClause(error, context);
     case kArgument:
-      return Argument(context);
-    case kCloseParen:
-    case kParametersEnd:
-      return Expected(context, "P1109", "',' or ')'");
     case kDigits:
-      return DescribeMissingDigits(context);
     case kNumberEnd:
-      return DescribeNumberEnd(context);
-    case kEquals:
-      return MissingMark(context, "=");
-    case kColon:
-      return MissingMark(context, ":");
-    case kDots:
-      return MissingMark(context, "..");
     case kNumber:
-      return MissingNumber(context, "P1108", "a number");
     case kSettingValue:
-      return SettingValue(context);
     case kEntryValue:
-      return MissingNumber(context, "P1108", "a value");
+      return OfNumber(error, context);
     case kStateType:
     case kIn:
+    case kDots:
     case kEnumEnd:
     case kAlphabetBody:
     case kParameterType:

@@ -33,6 +33,7 @@ UseSolverOrder::~UseSolverOrder() {
 
 /// Takes the place of ODE's own, which the shared library calls by name. It
 /// would be defined twice if ODE were linked statically.
+// NOLINTNEXTLINE(readability-identifier-naming)
 extern "C" int dRandInt(int n) {
   // Nothing but a step draws, and a step has an order in use.
   assert(plsc::order_in_use != nullptr);

@@ -87,6 +87,7 @@ struct World::Ode {
   int warnings = 0;
   bool is_direct = true;
   bool is_lost = false;  ///< interrupted within a step
+  Ode* next_kept = nullptr;
 
   Ode(const Assembly& assembly, const Terrain& terrain,
       const SimulationOptions& options);
@@ -311,9 +312,10 @@ World::~World() {
   // ODE aborts on taking down what an interrupted step left behind. So it is
   // kept, within reach of leak checkers: about 0.1 MB, in a rare event.
   static std::mutex mutex;
-  static auto& kept = *new std::vector<Ode*>;
+  static Ode* kept = nullptr;
   const std::lock_guard lock(mutex);
-  kept.push_back(ode_.release());
+  ode_->next_kept = kept;
+  kept = ode_.release();
 }
 
 void World::SetJointSpeed(int joint, double speed) {

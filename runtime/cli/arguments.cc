@@ -28,12 +28,12 @@ constexpr const char* kFooter =
     "`plsc COMMAND --help` explains one command. Exit status: 0 fine, 1 the "
     "input is\nwrong, 2 the usage is wrong.";
 
-void AddFormat(CLI::App* command, Format& format, const char* json) {
+void AddFormat(CLI::App* command, OutputFormat& format, const char* json) {
   command
       ->add_option("--format", format,
                    std::string("text for people (default), or json: ") + json)
-      ->transform(CLI::CheckedTransformer(std::map<std::string, Format>{
-          {"text", Format::kText}, {"json", Format::kJson}}))
+      ->transform(CLI::CheckedTransformer(std::map<std::string, OutputFormat>{
+          {"text", OutputFormat::kText}, {"json", OutputFormat::kJson}}))
       ->type_name("text|json")
       ->option_text("text|json");
 }

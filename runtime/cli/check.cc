@@ -11,8 +11,8 @@ namespace plsc::cli {
 namespace {
 
 void Show(const std::vector<Diagnostic>& diagnostics, const Source& source,
-          Format format, Io& io) {
-  if (format == Format::kText) return Report(diagnostics, source, io);
+          OutputFormat format, Io& io) {
+  if (format == OutputFormat::kText) return Report(diagnostics, source, io);
   for (const Diagnostic& diagnostic : diagnostics)
     io.out << DiagnosticJson(diagnostic, source) << '\n';
 }
@@ -21,7 +21,7 @@ bool CheckOne(const std::string& file, const CheckCommand& command, Io& io) {
   const Result<Source> source = ReadSource(file, io);
   if (!source) {
     const Diagnostic& problem = source.diagnostics()[0];
-    if (command.format == Format::kJson)
+    if (command.format == OutputFormat::kJson)
       io.out << DiagnosticJson(problem, Source(file, "")) << '\n';
     else
       io.err << fmt::format("error[{}]: {}\n", problem.code, problem.message);
@@ -32,7 +32,7 @@ bool CheckOne(const std::string& file, const CheckCommand& command, Io& io) {
   const Result<Program> program = Compile(*source, options);
   Show(program.diagnostics(), *source, command.format, io);
   if (!program) return false;
-  if (command.format == Format::kText)
+  if (command.format == OutputFormat::kText)
     io.out << fmt::format(
         "{}: genotype {}, alphabet {}, {} rules, {} states, {} environments\n",
         source->name(), program->genotype.name,

@@ -14,11 +14,11 @@
 
 namespace plsc::cli {
 
-enum class Format : std::uint8_t { kText, kJson };
+enum class OutputFormat : std::uint8_t { kText, kJson };
 
 struct CheckCommand {
   std::vector<std::string> files;
-  Format format = Format::kText;
+  OutputFormat format = OutputFormat::kText;
   bool allow_range = false;
 };
 
@@ -32,7 +32,7 @@ struct FmtCommand {
 struct DevelopCommand {
   std::string file;
   std::vector<std::string> environments;  ///< "a=True,b=False" or a name
-  Format format = Format::kText;
+  OutputFormat format = OutputFormat::kText;
   std::string svg_folder;  ///< empty: none
   bool allow_range = false;
 };
@@ -40,7 +40,7 @@ struct DevelopCommand {
 struct SimulateCommand {
   std::string file;
   std::string scenario;  ///< empty: the paper's
-  Format format = Format::kText;
+  OutputFormat format = OutputFormat::kText;
   std::string trajectory_folder;  ///< empty: none
 };
 
@@ -50,7 +50,7 @@ struct EvolveCommand {
   std::optional<std::uint64_t> seed;
   std::optional<int> jobs;
   bool quiet = false;
-  Format format = Format::kText;
+  OutputFormat format = OutputFormat::kText;
 };
 
 struct RandomCommand {

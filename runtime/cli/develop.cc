@@ -145,7 +145,7 @@ Exit Run(const DevelopCommand& command, Io& io) {
     }
     const Phenotype* phenotype =
         developed->phenotype ? &*developed->phenotype : nullptr;
-    if (command.format == Format::kJson)
+    if (command.format == OutputFormat::kJson)
       io.out << DevelopmentJson(genotype, named.environment, developed->string,
                                 phenotype)
              << '\n';

@@ -18,6 +18,8 @@ enum class Exit : int {
   kFine = 0,
   kBadInput = 1,  ///< a file or a value is wrong; nothing was written
   kBadUsage = 2,  ///< the command line is wrong
+  /// Ctrl-C or SIGTERM; what was done is kept. 128 + SIGINT, as shells have it.
+  kInterrupted = 130,
 };
 
 struct Io {

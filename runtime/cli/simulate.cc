@@ -1,34 +1,18 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <ostream>
 
-#include "compiler/print.h"
 #include "runtime/cli/commands.h"
+#include "runtime/cli/load_yaml.h"
 #include "runtime/cli/program.h"
 #include "runtime/evaluation.h"
 #include "runtime/formats/season_json.h"
 #include "runtime/formats/trajectory_csv.h"
-#include "runtime/scenario.h"
 
 namespace plsc::cli {
 
 namespace {
-
-std::optional<Scenario> LoadScenario(const std::string& path, Io& io) {
-  if (path.empty()) return PaperScenario();
-  const Result<Source> source = ReadSource(path, io);
-  if (!source) {
-    io.err << fmt::format("error[{}]: {}\n", source.diagnostics()[0].code,
-                          source.diagnostics()[0].message);
-    return std::nullopt;
-  }
-  const Result<Scenario> scenario = ParseScenario(*source);
-  Report(scenario.diagnostics(), *source, io);
-  if (!scenario) return std::nullopt;
-  return *scenario;
-}
 
 // Every season must say what the genotype senses, before any is simulated.
 bool CanSense(const Scenario& scenario, const Genotype& genotype, Io& io) {
@@ -97,13 +81,13 @@ Exit Run(const SimulateCommand& command, Io& io) {
   const auto scenario = LoadScenario(command.scenario, io);
   if (!scenario || !CanSense(*scenario, genotype, io)) return Exit::kBadInput;
 
-  if (command.format == Format::kText) {
+  if (command.format == OutputFormat::kText) {
     io.out << genotype.name << " in scenario " << scenario->name << '\n';
     PrintHeader(io.out);
   }
   for (const Season& season : scenario->seasons) {
     const SeasonLife life = LiveSeason(genotype, *scenario, season);
-    if (command.format == Format::kText)
+    if (command.format == OutputFormat::kText)
       PrintRow(life.result, io.out);
     else
       io.out << SeasonJson(genotype.name, life.result) << '\n';

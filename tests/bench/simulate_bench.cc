@@ -78,6 +78,7 @@ void Run(double duration) {
   for (const int size : {5, 8, 10, 15}) {
     std::mt19937 random(20200217);  // any; the same robots each time
     std::vector<Phenotype> robots;
+    robots.reserve(kRobots);
     for (int i = 0; i < kRobots; ++i)
       robots.push_back(RandomRobot(size, random));
     for (const double step : {0.005, 0.010}) {

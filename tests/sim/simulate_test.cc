@@ -19,7 +19,7 @@ SimulationOptions Life(double duration) {
   return options;
 }
 
-const Terrain kSlope{TerrainType::kTilted, 5 * M_PI / 180};
+constexpr Terrain kSlope{TerrainType::kTilted, 5 * M_PI / 180};
 
 /// Four legs: left and right swing and lift, front and back lift in between.
 /// With `lift` 0.25 the side legs are down while they swing back; with 0.75
@@ -224,6 +224,7 @@ std::vector<Job> Jobs(Solver solver) {
 
 std::vector<std::uint64_t> HashesOf(const std::vector<Job>& jobs) {
   std::vector<std::uint64_t> hashes;
+  hashes.reserve(jobs.size());
   for (const Job& job : jobs)
     hashes.push_back(Simulate(job.robot, job.terrain, job.options).state_hash);
   return hashes;

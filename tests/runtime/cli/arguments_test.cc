@@ -77,7 +77,7 @@ TEST_CASE("arguments fill one struct a command", "[arguments]") {
   CHECK(develop->file == "a.pls");
   CHECK(develop->environments ==
         std::vector<std::string>{"x=True,y=False", "flat"});
-  CHECK(develop->format == cli::Format::kJson);
+  CHECK(develop->format == cli::OutputFormat::kJson);
   CHECK(develop->svg_folder == "out");
   CHECK(develop->allow_range);
 }

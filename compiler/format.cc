@@ -1,0 +1,57 @@
+#include "compiler/format.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "compiler/layout.h"
+#include "grammar/parse.h"
+
+namespace plsc {
+
+namespace {
+
+std::vector<std::string> SortedComments(const ast::File& file) {
+  std::vector<std::string> comments;
+  comments.reserve(file.comments.size());
+  for (const Span span : file.comments) {
+    const std::string_view text = file.Text(span);
+    comments.emplace_back(text.substr(0, text.find_last_not_of(" \t\r") + 1));
+  }
+  std::sort(comments.begin(), comments.end());
+  return comments;
+}
+
+Diagnostic Defect(std::string_view what) {
+  Diagnostic diagnostic;
+  diagnostic.code = "P5090";
+  diagnostic.message =
+      fmt::format("the formatted text {}; the file is left as it is", what);
+  diagnostic.help = "this is a defect of plsc; please report it with the file";
+  return diagnostic;
+}
+
+}  // namespace
+
+Result<std::string> Format(const Source& source, const FormatOptions& options) {
+  const Result<Program> program = Compile(source, options.compile);
+  if (!program) return program.diagnostics();
+  const Alphabet& alphabet = *program->genotype.alphabet;
+  const ParseResult parsed = Parse(source);
+  std::string text = Layout(parsed.file, alphabet, options.compact);
+
+  const Source formatted(source.name(), text);
+  const Result<Program> again = Compile(formatted, options.compile);
+  if (!again || !(*again == *program))
+    return Defect("does not mean the same as the file");
+  const ParseResult reparsed = Parse(formatted);
+  if (SortedComments(reparsed.file) != SortedComments(parsed.file))
+    return Defect("does not have the same comments");
+  if (Layout(reparsed.file, alphabet, options.compact) != text)
+    return Defect("would change when formatted again");
+  return {std::move(text), program.diagnostics()};
+}
+
+}  // namespace plsc

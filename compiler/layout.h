@@ -1,0 +1,20 @@
+#pragma once
+
+// How Format places items and comments. Works on a file that compiles.
+//
+// A comment belongs to the item that it stands before, or behind on the same
+// line; inside braces, likewise to the symbol. What stands in the middle of a
+// line's worth of text (between `iterations` and its number) moves before it.
+
+#include <string>
+
+#include "compiler/alphabet.h"
+#include "grammar/ast.h"
+
+namespace plsc {
+
+/// `alphabet` is the one that the file declares.
+std::string Layout(const ast::File& file, const Alphabet& alphabet,
+                   bool is_compact);
+
+}  // namespace plsc

@@ -1,0 +1,77 @@
+#include "grammar/codes.h"
+
+#include <array>
+
+namespace plsc {
+
+namespace {
+
+// P1199 and P5090 are left out: they tell of defects of plsc.
+constexpr std::array<CodeInfo, 48> kCodes = {{
+    {"P1101", "something that is no item stands where an item should start"},
+    {"P1102", "a name is missing, or is a reserved word"},
+    {"P1103", "a state of a clause is not compared with anything"},
+    {"P1104", "an operator or value of another language"},
+    {"P1105", "a term is missing after 'if', 'and' or 'or'"},
+    {"P1106", "a clause does not end in 'then'"},
+    {"P1107", "a '{' is never closed"},
+    {"P1108", "a number or another value is missing"},
+    {"P1109", "a list in parentheses does not go on or end"},
+    {"P1110", "a malformed number"},
+    {"P1111", "a number that plsc does not have: nan, inf, hexadecimal"},
+    {"P1112", "a number that no double can hold"},
+    {"P1113", "an empty production"},
+    {"P1114", "parentheses in a clause"},
+    {"P1115", "a mark such as '->', '{', ':', '=' or '..' is missing"},
+    {"P1116", "something that does not belong between these braces"},
+    {"P1117", "a type is missing or unknown"},
+    {"P1118", "an alphabet without a version or body"},
+    {"P2001", "a symbol that the alphabet does not have"},
+    {"P2002", "a wrong number of arguments"},
+    {"P2003", "an argument that must be a whole number"},
+    {"P2004", "an argument out of its range"},
+    {"P2005", "a state that is not declared"},
+    {"P2006", "a value or comparison that does not fit the state's type"},
+    {"P2007", "a rule for a symbol that is not replaceable"},
+    {"P2008", "the core C missing, repeated or in the wrong place"},
+    {"P2009", "a constant that is not declared"},
+    {"P2010", "an alphabet that does not exist, or redefines a built-in one"},
+    {"P2011", "an axiom that cannot be one"},
+    {"P2012", "a required item is missing"},
+    {"P2013", "an item that may stand only once stands twice"},
+    {"P2014", "a setting's value of the wrong type or out of range"},
+    {"P2015", "an environment with a value missing, repeated or out of range"},
+    {"P2016", "a state with an empty range or too few values"},
+    {"P2017", "a name declared twice"},
+    {"P2018", "a symbol's parameters are too many or have wrong ranges"},
+    {"P3001", "more terms or rules than the genotype's own limits allow"},
+    {"P3002",
+     "more rules, states, symbols, values or constants than plsc "
+     "can hold"},
+    {"P5001", "the version line is missing or wrong"},
+    {"P5002", "a file of a newer language"},
+    {"P5003", "a version of an alphabet that this tool does not know"},
+    {"P5010", "an unresolved merge conflict"},
+    {"P5011", "a file that is not UTF-8"},
+    {"P5013", "an empty file"},
+    {"P5015", "a file that is too large"},
+    {"P5016", "a file that is not a text"},
+    {"W3002", "a clause that is true, or false, in every environment"},
+    {"W3003",
+     "a symbol without an active rule in some environment (on "
+     "request)"},
+}};
+
+}  // namespace
+
+std::span<const CodeInfo> DiagnosticCodes() {
+  return kCodes;
+}
+
+std::string_view MeaningOf(std::string_view code) {
+  for (const CodeInfo& info : kCodes)
+    if (info.code == code) return info.meaning;
+  return {};
+}
+
+}  // namespace plsc

@@ -1,0 +1,53 @@
+#include "runtime/cli/load_yaml.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <ostream>
+
+namespace plsc::cli {
+
+namespace {
+
+std::optional<Source> Load(const std::string& path, Io& io) {
+  Result<Source> source = ReadSource(path, io);
+  if (source) return std::move(*source);
+  io.err << fmt::format("error[{}]: {}\n", source.diagnostics()[0].code,
+                        source.diagnostics()[0].message);
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Scenario> LoadScenario(const std::string& path, Io& io) {
+  if (path.empty()) return PaperScenario();
+  const std::optional<Source> source = Load(path, io);
+  if (!source) return std::nullopt;
+  Result<Scenario> scenario = ParseScenario(*source);
+  Report(scenario.diagnostics(), *source, io);
+  if (!scenario) return std::nullopt;
+  return std::move(*scenario);
+}
+
+std::optional<Experiment> LoadExperiment(const std::string& path, Io& io) {
+  const std::optional<Source> source = Load(path, io);
+  if (!source) return std::nullopt;
+  Result<Experiment> experiment = ParseExperiment(*source);
+  Report(experiment.diagnostics(), *source, io);
+  if (!experiment) return std::nullopt;
+  if (!experiment->scenario_file.empty()) {
+    const auto folder = std::filesystem::path(path).parent_path();
+    const auto scenario =
+        LoadScenario((folder / experiment->scenario_file).string(), io);
+    if (!scenario) return std::nullopt;
+    experiment->scenario = *scenario;
+  }
+  const std::vector<Diagnostic> problems = CheckSenses(*experiment);
+  for (const Diagnostic& problem : problems)
+    io.err << fmt::format("error[{}]: {}\n  = help: {}\n", problem.code,
+                          problem.message, problem.help);
+  if (!problems.empty()) return std::nullopt;
+  return std::move(*experiment);
+}
+
+}  // namespace plsc::cli

@@ -1,0 +1,22 @@
+#pragma once
+
+// Reading scenario and experiment files for a command: the same errors
+// whichever command asked.
+
+#include <optional>
+#include <string>
+
+#include "runtime/cli/io.h"
+#include "runtime/evolve/experiment.h"
+#include "runtime/scenario.h"
+
+namespace plsc::cli {
+
+/// An empty path is the paper's scenario. Prints what is wrong to io.err.
+std::optional<Scenario> LoadScenario(const std::string& path, Io& io);
+
+/// With the scenario of its own file, if it names one (relative to the
+/// experiment's folder), and checked: every season answers every state.
+std::optional<Experiment> LoadExperiment(const std::string& path, Io& io);
+
+}  // namespace plsc::cli

@@ -1,0 +1,80 @@
+#include "compiler/print.h"
+
+#include <catch2/catch.hpp>
+#include <limits>
+
+#include "compiler/compiled.h"
+
+namespace plsc {
+namespace {
+
+using testing::Compiled;
+
+TEST_CASE("The canonical text has all items in fixed order", "[print]") {
+  const Program program = Compiled(
+      "plsc 1 environment e { r = 1e0, a = True } rule B -> if a=True then "
+      "{ B T(k) } rule C -> { C } max_rules 2 max_terms 9 let k = 0.50 "
+      "sense a: bool sense r: real in -1..1e3 alphabet plasticoding 1 "
+      "genotype g");
+  CHECK(Print(program) == R"(plsc 1
+
+genotype g
+alphabet plasticoding 1
+sense a: bool
+sense r: real in -1..1000
+axiom C
+iterations 3
+max_modules 15
+move_to_new False
+max_terms 9
+max_rules 2
+
+rule C -> {
+  C
+}
+
+rule B -> if a = True then {
+  B
+  T(0.5)
+}
+
+environment e { a = True, r = 1 }
+)");
+}
+
+TEST_CASE("Numbers print in the shortest form that reads back", "[print]") {
+  CHECK(PrintNumber(0.1) == "0.1");
+  CHECK(PrintNumber(-0.0) == "-0");
+  CHECK(PrintNumber(1) == "1");
+  CHECK(PrintNumber(100000) == "1e+05");
+  CHECK(PrintNumber(std::numeric_limits<double>::max()) ==
+        "1.7976931348623157e+308");
+  CHECK(PrintNumber(std::numeric_limits<double>::denorm_min()) == "5e-324");
+}
+
+TEST_CASE("Whole numbers print without an exponent", "[print]") {
+  Symbol symbol;
+  symbol.id = plasticoding::kMoveRefI;
+  symbol.arguments = {1e15, 2};
+  CHECK(PrintSymbol(symbol, *PlasticodingAlphabet()) ==
+        "move_ref_I(1000000000000000, 2)");
+}
+
+TEST_CASE("Parts print as they are written", "[print]") {
+  const Program program = Compiled(
+      "plsc 1 alphabet plasticoding 1 sense a: bool sense e: { x, y } "
+      "sense r: real in 0..9 rule B -> if a = True and e != y or r >= 0.5 "
+      "then { A1(0.5, 1.0, 2.0, 3.25) } "
+      "environment one { a = False, e = y, r = 3 }");
+  const Genotype& genotype = program.genotype;
+  CHECK(PrintClause(genotype.rules[0].clause, genotype) ==
+        "a = True and e != y or r >= 0.5");
+  CHECK(PrintSymbol(genotype.rules[0].production[0], *genotype.alphabet) ==
+        "A1(0.5, 1, 2, 3.25)");
+  CHECK(PrintEnvironment(program.environments[0].environment,
+                         genotype.states) == "a=False,e=y,r=3");
+  CHECK(PrintClause(Clause{}, genotype).empty());
+}
+
+}  // namespace
+}  // namespace plsc

@@ -1,0 +1,30 @@
+#include "grammar/keywords.h"
+
+#include <catch2/catch.hpp>
+#include <string>
+
+namespace plsc {
+namespace {
+
+TEST_CASE("A name is an identifier that is no keyword", "[keywords]") {
+  for (const char* name : {"C", "_", "A1", "move_ref_I", "Rule", "true", "x9"})
+    CHECK(IsName(name));
+  for (const char* other : {"", "9x", "a-b", "a b", "rule", "True", "then",
+                            "include", "plsc", "\xC3\xA9"})
+    CHECK_FALSE(IsName(other));
+}
+
+TEST_CASE("Every item keyword is a keyword", "[keywords]") {
+  CHECK(ItemKeywords().size() == 12);
+  for (const std::string_view word : ItemKeywords()) {
+    CHECK(IsItemKeyword(word));
+    CHECK(IsKeyword(word));
+    CHECK_FALSE(IsKeyword(std::string(word) + "s"));
+  }
+  CHECK(IsKeyword("if"));
+  CHECK_FALSE(IsItemKeyword("if"));
+  CHECK_FALSE(IsItemKeyword(""));
+}
+
+}  // namespace
+}  // namespace plsc

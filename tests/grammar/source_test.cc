@@ -1,0 +1,48 @@
+#include "grammar/source.h"
+
+#include <catch2/catch.hpp>
+
+namespace plsc {
+namespace {
+
+TEST_CASE("Positions count lines from 1 and characters, not bytes",
+          "[source]") {
+  const Source source("a.pls", "one\n\xC3\xA9t\xC3\xA9 x\n\tlast");
+  struct Row {
+    const char* why;
+    std::uint32_t offset;
+    int line;
+    int column;
+  };
+  const std::vector<Row> rows = {
+      {"first byte", 0, 1, 1},
+      {"the line's end belongs to the line", 3, 1, 4},
+      {"first byte of a line", 4, 2, 1},
+      {"after a character of two bytes", 6, 2, 2},
+      {"after two of them", 9, 2, 4},
+      {"a tab is one character", 13, 3, 2},
+      {"beyond the end is the end", 999, 3, 6},
+  };
+  for (const Row& row : rows) {
+    DYNAMIC_SECTION(row.why) {
+      const Position at = source.PositionOf(row.offset);
+      CHECK(at.line == row.line);
+      CHECK(at.column == row.column);
+    }
+  }
+}
+
+TEST_CASE("Lines come without their ends", "[source]") {
+  const Source source("a.pls", "one\r\ntwo\n\nlast");
+  REQUIRE(source.line_count() == 4);
+  CHECK(source.Line(1) == "one");
+  CHECK(source.Line(2) == "two");
+  CHECK(source.Line(3).empty());
+  CHECK(source.Line(4) == "last");
+  CHECK(source.LineBegin(2) == 5);
+  CHECK(Source("e", "").line_count() == 1);
+  CHECK(Source("e", "").Line(1).empty());
+}
+
+}  // namespace
+}  // namespace plsc

@@ -1,0 +1,138 @@
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "tests/runtime/cli/run_plsc.h"
+
+namespace plsc {
+namespace {
+
+using nlohmann::json;
+using test::InRepository;
+using test::RunPlsc;
+
+// Two short seasons, so that a test takes milliseconds.
+constexpr const char* kShort = R"(plsc_scenario: 1
+name: short
+sample_interval: 0.5 s
+seasons:
+  - {name: flat, terrain: flat, duration: 1 s, senses: {inclined: False}}
+  - {name: hill, terrain: {tilted: 5 deg}, duration: 2 s, start_height: 10 cm,
+     senses: {inclined: True}}
+)";
+
+TEST_CASE("simulate lives each season with the body of its environment",
+          "[simulate]") {
+  const test::TemporaryFolder folder;
+  const std::string scenario = folder.Write("s.yaml", kShort);
+  const auto ran =
+      RunPlsc({"simulate", "-", "--scenario", scenario, "--format", "json"},
+              test::kPlasticText);
+  REQUIRE(ran.exit == 0);
+  std::istringstream lines(ran.out);
+  std::vector<json> seasons;
+  for (std::string line; std::getline(lines, line);)
+    seasons.push_back(json::parse(line));
+  REQUIRE(seasons.size() == 2);
+  CHECK(seasons[0]["season"] == "flat");
+  CHECK(seasons[0]["body_descriptors"]["hinge_count"] == 0);
+  CHECK(seasons[0]["fitness"] == -0.1);  // a robot without joints
+  CHECK(seasons[1]["season"] == "hill");
+  CHECK(seasons[1]["body_descriptors"]["hinge_count"] == 1);
+  CHECK(seasons[1]["outcome"] == "completed");
+  CHECK(seasons[1]["behaviour"]["head_balance"] > 0.9);
+
+  SECTION("the same bits on every run") {
+    CHECK(RunPlsc({"simulate", "-", "--scenario", scenario, "--format", "json"},
+                  test::kPlasticText)
+              .out == ran.out);
+  }
+  SECTION("a table for people") {
+    const auto table =
+        RunPlsc({"simulate", "-", "--scenario", scenario}, test::kPlasticText);
+    CHECK(table.exit == 0);
+    CHECK(table.out.find("speed cm/s") != std::string::npos);
+    CHECK(std::count(table.out.begin(), table.out.end(), '\n') == 4);
+  }
+}
+
+TEST_CASE("simulate writes the samples of each season", "[simulate]") {
+  const test::TemporaryFolder folder;
+  const std::string scenario = folder.Write("s.yaml", kShort);
+  const auto ran = RunPlsc({"simulate", "-", "--scenario", scenario,
+                            "--trajectory", folder / "samples"},
+                           test::kPlasticText);
+  REQUIRE(ran.exit == 0);
+  const std::string csv =
+      test::ReadFile(folder.path() / "samples" / "hill.csv");
+  CHECK(csv.find("time,x,y,z") == 0);
+  CHECK(csv.find("joint1") != std::string::npos);
+  CHECK(std::count(csv.begin(), csv.end(), '\n') == 6);  // 0, 0.5 ... 2 s
+}
+
+TEST_CASE("simulate says what a season does not say", "[simulate]") {
+  const test::TemporaryFolder folder;
+  const std::string scenario = folder.Write(
+      "s.yaml",
+      "plsc_scenario: 1\nseasons:\n  - {name: one, senses: {hot: True}}\n");
+  const auto ran =
+      RunPlsc({"simulate", "-", "--scenario", scenario}, test::kPlasticText);
+  CHECK(ran.exit == 1);
+  CHECK(ran.out.empty());
+  CHECK(ran.err.find("inclined") != std::string::npos);
+  CHECK(ran.err.find("one") != std::string::npos);
+}
+
+TEST_CASE("simulate points at what is wrong in a scenario", "[simulate]") {
+  struct Row {
+    const char* why;
+    const char* yaml;
+    const char* place;
+  };
+  const std::vector<Row> rows = {
+      {"unknown key", "plsc_scenario: 1\nseason: []\n", "s.yaml:2:1"},
+      {"wrong unit",
+       "plsc_scenario: 1\nseasons:\n  - {name: a, duration: 50 m}\n",
+       "s.yaml:3:25"},
+      {"not YAML", "plsc_scenario: [1\n", "s.yaml:"},
+      {"empty", "", "s.yaml:1:1"},
+  };
+  for (const Row& row : rows) {
+    DYNAMIC_SECTION(row.why) {
+      const test::TemporaryFolder folder;
+      const auto ran = RunPlsc(
+          {"simulate", "-", "--scenario", folder.Write("s.yaml", row.yaml),
+           "--trajectory", folder / "out"},
+          test::kPlasticText);
+      CHECK(ran.exit == 1);
+      CHECK(ran.err.find(row.place) != std::string::npos);
+      CHECK(folder.Files() == std::vector<std::string>{"s.yaml"});
+    }
+  }
+}
+
+TEST_CASE("simulate refuses alphabets without bodies", "[simulate]") {
+  const auto ran = RunPlsc({"simulate", InRepository("examples/didactic.pls")});
+  CHECK(ran.exit == 1);
+  CHECK(ran.err.find("no bodies") != std::string::npos);
+}
+
+TEST_CASE("the walkers of the examples walk uphill", "[simulate][slow]") {
+  // Not how fast, which may change with the physics, but that they do: their
+  // comments promise it.
+  for (const char* name : {"gecko", "snake", "spider", "climber"}) {
+    INFO(name);
+    const auto ran = RunPlsc(
+        {"simulate", InRepository(std::string("examples/") + name + ".pls"),
+         "--format", "json"});
+    REQUIRE(ran.exit == 0);
+    std::istringstream lines(ran.out);
+    for (std::string line; std::getline(lines, line);) {
+      const json season = json::parse(line);
+      CHECK(season["behaviour"]["displacement_velocity_hill"] > 0.003);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace plsc
