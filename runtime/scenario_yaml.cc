@@ -33,7 +33,7 @@ static_assert(sizeof(PhysicsOptions) == 104 && sizeof(ServoOptions) == 40);
 // order of PhysicsOptions, which explains the fields.
 const std::vector<NumberKey<PhysicsOptions>>& PhysicsKeys() {
   using enum Dimension;
-  static const std::vector<NumberKey<PhysicsOptions>> kKeys = {
+  static const std::vector<NumberKey<PhysicsOptions>> keys = {
       {"step", &PhysicsOptions::step, {kTime, 0, 0.1, true}},
       {"gravity", &PhysicsOptions::gravity, {kAcceleration, 0, 1000}},
       {"world_erp", &PhysicsOptions::world_erp, {kNumber, 0, 1}},
@@ -46,29 +46,29 @@ const std::vector<NumberKey<PhysicsOptions>>& PhysicsKeys() {
       {"ground_kd", &PhysicsOptions::ground_kd, {kViscosity, 0, 1e12}},
       {"damping", &PhysicsOptions::damping, {kNumber, 0, 1}},
   };
-  return kKeys;
+  return keys;
 }
 
 const std::vector<NumberKey<ServoOptions>>& ServoKeys() {
   using enum Dimension;
-  static const std::vector<NumberKey<ServoOptions>> kKeys = {
+  static const std::vector<NumberKey<ServoOptions>> keys = {
       {"range", &ServoOptions::range, {kAngle, 0, std::numbers::pi, true}},
       {"gain", &ServoOptions::gain, {kRate, 0, 1000, true}},
       {"max_speed", &ServoOptions::max_speed, {kAngularSpeed, 0, 1000, true}},
       {"max_torque", &ServoOptions::max_torque, {kTorque, 0, 1000, true}},
       {"update_rate", &ServoOptions::update_rate, {kFrequency, 0, 1e4, true}},
   };
-  return kKeys;
+  return keys;
 }
 
 const std::vector<std::string>& SolverNames() {
-  static const std::vector<std::string> kNames = {"direct", "iterative"};
-  return kNames;
+  static const std::vector<std::string> names = {"direct", "iterative"};
+  return names;
 }
 
 const std::vector<std::string>& ControllerNames() {
-  static const std::vector<std::string> kNames = {"open_loop", "coupled"};
-  return kNames;
+  static const std::vector<std::string> names = {"open_loop", "coupled"};
+  return names;
 }
 
 template <typename Options>

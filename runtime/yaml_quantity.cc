@@ -27,7 +27,7 @@ struct DimensionInfo {
 };
 
 const DimensionInfo& InfoOf(Dimension dimension) {
-  static const std::vector<DimensionInfo> kInfos = {
+  static const std::vector<DimensionInfo> infos = {
       {"a number", "0.5", {}},
       {"a time", "50 s", {{"s"}, {"ms", 1, 1000}, {"min", 60}}},
       {"a length", "0.03 m", {{"m"}, {"cm", 1, 100}, {"mm", 1, 1000}}},
@@ -43,7 +43,7 @@ const DimensionInfo& InfoOf(Dimension dimension) {
       {"a damping coefficient", "90000 N s/m", {{"N s/m"}}},
       {"a slip", "0.01 m/s/N", {{"m/s/N"}}},
   };
-  return kInfos[static_cast<std::size_t>(dimension)];
+  return infos[static_cast<std::size_t>(dimension)];
 }
 
 std::string_view Trim(std::string_view text) {
@@ -147,7 +147,7 @@ std::string PrintQuantity(double value, Dimension dimension) {
   if (dimension != Dimension::kAngle)
     return fmt::format("{} {}", value, info.units.front().name);
   // 12 digits hide that 5 degrees are not a round number of radians.
-  const std::string degrees =
+  std::string degrees =
       fmt::format("{:.12g} deg", value * 180 / std::numbers::pi);
   const ParsedQuantity back = ParseQuantity(degrees, {dimension});
   if (!back.error && back.value == value) return degrees;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <charconv>
 
+#include "grammar/screen.h"
 #include "grammar/suggest.h"
 
 namespace plsc {
@@ -26,11 +27,16 @@ struct YamlNode {
 
 namespace {
 
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+
 std::uint32_t OffsetOf(const Source& source, const YAML::Mark& mark) {
   const auto size = static_cast<std::uint32_t>(source.text().size());
   // A null mark (-1) and one past the end both point at the end.
   if (mark.line < 0 || mark.line >= source.line_count()) return size;
-  const std::uint32_t begin = source.LineBegin(mark.line + 1);
+  std::uint32_t begin = source.LineBegin(mark.line + 1);
+  // yaml-cpp does not count the byte order mark.
+  if (mark.line == 0 && source.text().starts_with(kByteOrderMark))
+    begin += static_cast<std::uint32_t>(kByteOrderMark.size());
   return std::min(begin + static_cast<std::uint32_t>(mark.column), size);
 }
 
@@ -69,11 +75,13 @@ Diagnostic NotYaml(const Source& source, const YAML::Exception& error) {
 YAML::Node ParseOne(const Source& source, std::vector<Diagnostic>& errors) {
   Diagnostic error;
   error.code = "P5100";
-  if (source.text().find('\0') != std::string_view::npos) {
-    error.message = "expected a text in UTF-8, found a byte 0";
-    const auto at = static_cast<std::uint32_t>(source.text().find('\0'));
-    error.span = {at, at};
-    errors.push_back(error);
+  const bool is_blank =
+      source.text().find_first_not_of(" \t\r\n") == std::string_view::npos;
+  // Other encodings, binary and far too large files. (An empty one gets a
+  // message about genotypes there.)
+  if (std::optional<Diagnostic> no_text = Screen(source);
+      no_text && !is_blank) {
+    errors.push_back(std::move(*no_text));
     return {};
   }
   try {
@@ -285,7 +293,7 @@ bool YamlMap::Bool(std::string_view key, bool otherwise) {
   return value ? value->Bool().value_or(otherwise) : otherwise;
 }
 
-std::string YamlMap::Text(std::string_view key, std::string otherwise) {
+std::string YamlMap::Text(std::string_view key, const std::string& otherwise) {
   const std::optional<YamlValue> value = Find(key);
   return value ? value->Text("a name").value_or(otherwise) : otherwise;
 }

@@ -82,7 +82,7 @@ class YamlMap {
                 const Quantity& quantity);
   int Int(std::string_view key, int otherwise, int low, int high);
   bool Bool(std::string_view key, bool otherwise);
-  std::string Text(std::string_view key, std::string otherwise);
+  std::string Text(std::string_view key, const std::string& otherwise);
   std::size_t Choice(std::string_view key, std::size_t otherwise,
                      const std::vector<std::string>& names);
 

@@ -19,12 +19,14 @@ constexpr int kPatience = 100;  // ms
 
 std::vector<int> IdsOf(const std::vector<Individual>& individuals) {
   std::vector<int> ids;
+  ids.reserve(individuals.size());
   for (const Individual& one : individuals) ids.push_back(one.id);
   return ids;
 }
 
 std::vector<int> CountsOf(const std::vector<Individual>& pool) {
   std::vector<SeasonFitnesses> fitnesses;
+  fitnesses.reserve(pool.size());
   for (const Individual& one : pool) fitnesses.push_back(FitnessesOf(one));
   return DominationCounts(fitnesses);
 }
@@ -86,6 +88,7 @@ class Run {
  private:
   bool Begin() {
     std::vector<Individual> robots;
+    robots.reserve(static_cast<std::size_t>(experiment_.population));
     for (int i = 0; i < experiment_.population; ++i)
       robots.push_back(CreateFirst(experiment_, next_id_++));
     if (!Judge(robots)) return false;
@@ -97,6 +100,7 @@ class Run {
 
   bool Continue(int generation) {
     std::vector<Individual> children;
+    children.reserve(static_cast<std::size_t>(experiment_.offspring));
     for (int i = 0; i < experiment_.offspring; ++i)
       children.push_back(CreateChild(experiment_, generation, next_id_++,
                                      result_.population, result_.counts));

@@ -25,8 +25,8 @@ constexpr int kMaxGroups = 1000;
 constexpr Quantity kProbability = {Dimension::kNumber, 0, 1};
 
 const std::vector<std::string>& EncodingNames() {
-  static const std::vector<std::string> kNames = {"plasticoding", "baseline"};
-  return kNames;
+  static const std::vector<std::string> names = {"plasticoding", "baseline"};
+  return names;
 }
 
 /// A word that can stand in a genotype file.
@@ -205,7 +205,7 @@ Experiment ReadExperiment(YamlMap& map) {
 }
 
 std::string PrintState(const State& state) {
-  const std::string name = PrintYamlText(state.name);
+  std::string name = PrintYamlText(state.name);
   switch (state.type) {
     case StateType::kBool:
       return name;

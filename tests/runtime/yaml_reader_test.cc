@@ -142,9 +142,20 @@ TEST_CASE("Every mistake is shown where it is", "[yaml]") {
   }
 }
 
-TEST_CASE("A byte 0 is no text", "[yaml]") {
-  const std::string text("name: a\0b\n", 10);
-  CHECK(Errors(text).find("found a byte 0") != std::string::npos);
+TEST_CASE("What is no UTF-8 text is refused", "[yaml]") {
+  CHECK(Errors(std::string("name: a\0b\n", 10)).find("byte 0x00 at offset 7") !=
+        std::string::npos);
+  CHECK(Errors("name: \xFF\n").find("byte 0xFF at offset 6") !=
+        std::string::npos);
+  CHECK(Errors("  \n").find("found 0") != std::string::npos);
+}
+
+TEST_CASE("A byte order mark moves no place", "[yaml]") {
+  const std::string errors = Errors("\xEF\xBB\xBFqqq: 1\nzzz: 1\n");
+  INFO(errors);
+  // The mark counts as a character.
+  CHECK(errors.find("test.yaml:1:2\n") != std::string::npos);
+  CHECK(errors.find("test.yaml:2:1\n") != std::string::npos);
 }
 
 TEST_CASE("Printed texts read back", "[yaml]") {
