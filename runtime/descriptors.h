@@ -1,7 +1,7 @@
 #pragma once
 
 // Morphological and controller descriptors, under the authors' names and by
-// their formulas (paper, "Robot Descriptors"; reference 7.2 and 7.3), so that
+// their formulas (paper, "Robot Descriptors"; docs/development.md), so that
 // results compare with theirs.
 
 #include <string_view>

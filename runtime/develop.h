@@ -1,8 +1,9 @@
 #pragma once
 
 // Late development: from the symbol string to body and brain, by two turtles
-// that read it once from left to right (paper, "Mapping stage 2"; reference
-// section 4). body_turtle and brain_turtle hold the rules; this is the door.
+// that read it once from left to right (paper, "Mapping stage 2";
+// docs/development.md). body_turtle and brain_turtle hold the rules; this is
+// the door.
 
 #include <optional>
 

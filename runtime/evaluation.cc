@@ -11,7 +11,7 @@ namespace plsc {
 namespace {
 
 // What a robot that cannot move, or does not, is worth, m/s: less than the
-// fastest slide down a slope (reference 8.1; in m/s as the authors compute it,
+// fastest slide down a slope (in m/s, as the authors compute it,
 // although the paper's Speed is in cm/s).
 constexpr double kMotionless = -0.1;
 // Sliding back counts a tenth, so that small losses do not end a lineage.

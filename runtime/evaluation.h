@@ -32,7 +32,7 @@ struct Evaluation {
 };
 
 /// Eq. 2: s if s > 0, s/10 if s < 0; -0.1 if s = 0 or the robot has no joint
-/// at all (reference 8.1). `speed` in m/s.
+/// at all (authors' program, fitness.py:65). `speed` in m/s.
 double SeasonFitness(double speed, int hinge_count);
 
 /// Develops for each season's environment and simulates it. The states of the

@@ -2,31 +2,11 @@
 
 #include <cassert>
 
+#include "compiler/truth.h"
+
 namespace plsc {
 
 namespace {
-
-bool HoldsTerm(const Term& term, const Environment& environment) {
-  const auto state = static_cast<std::size_t>(term.state);
-  assert(state < environment.values.size());
-  const double sensed = environment.values[state];
-  switch (term.comparison) {
-    case Comparison::kEqual:
-      return sensed == term.value;
-    case Comparison::kNotEqual:
-      return sensed != term.value;
-    case Comparison::kLess:
-      return sensed < term.value;
-    case Comparison::kLessEqual:
-      return sensed <= term.value;
-    case Comparison::kGreater:
-      return sensed > term.value;
-    case Comparison::kGreaterEqual:
-      return sensed >= term.value;
-  }
-  assert(false);
-  return false;
-}
 
 // C is unique and first in every string, so only the first of the joined
 // productions may bring it. The paper does not say so; its program does it.
@@ -50,19 +30,6 @@ void Join(const Genotype& genotype, RuleIndex index,
 
 }  // namespace
 
-bool Holds(const Clause& clause, const Environment& environment) {
-  // A disjunction of conjunctions: `and` binds tighter.
-  bool conjunction = true;
-  for (std::size_t i = 0; i < clause.terms.size(); ++i) {
-    if (i > 0 && clause.connectives[i - 1] == Connective::kOr) {
-      if (conjunction) return true;
-      conjunction = true;
-    }
-    conjunction = conjunction && HoldsTerm(clause.terms[i], environment);
-  }
-  return conjunction;
-}
-
 ActiveRules Regulate(const Genotype& genotype, const Environment& environment) {
   assert(environment.values.size() == genotype.states.size());
   assert(genotype.rules.size() < kNoRule);
@@ -70,7 +37,7 @@ ActiveRules Regulate(const Genotype& genotype, const Environment& environment) {
   active.joined.resize(genotype.alphabet->symbols().size());
   for (std::size_t i = 0; i < genotype.rules.size(); ++i) {
     const Rule& rule = genotype.rules[i];
-    if (!Holds(rule.clause, environment)) continue;
+    if (!ClauseHolds(rule.clause, environment.values)) continue;
     const auto index = static_cast<RuleIndex>(i);
     active.rules.push_back(index);
     Join(genotype, index, active.joined[static_cast<std::size_t>(rule.head)]);

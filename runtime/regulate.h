@@ -35,12 +35,9 @@ struct ActiveRules {
   std::vector<std::vector<Occurrence>> joined;
 };
 
-/// `and` binds tighter than `or`; a clause without terms holds.
-/// `environment` has a value for every state of the genotype.
-bool Holds(const Clause& clause, const Environment& environment);
-
-/// Copies: the genotype is not changed (the authors' program joined the rules
-/// inside the genotype, see docs/decisions).
+/// Which clauses hold in `environment`, which has a value for every state, is
+/// ClauseHolds' to say (compiler/truth.h). Copies: the genotype is not changed
+/// (the authors' program joined the rules inside it, decision 0001).
 ActiveRules Regulate(const Genotype& genotype, const Environment& environment);
 
 }  // namespace plsc

@@ -17,7 +17,7 @@
 namespace plsc {
 
 /// Where robots start, m, core's centre above the origin: as the authors
-/// configured it for each ground (reference 6.5).
+/// configured it for each ground (authors' program, plastic_big.py:35).
 inline constexpr double kFlatStartHeight = 0.03;
 inline constexpr double kTiltedStartHeight = 0.1;
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// One number for the fitness of many seasons (paper, "Fitness"; reference
-// 8.2): how many others an individual dominates.
+// One number for the fitness of many seasons (paper, Eq. 3; authors'
+// program, population.py:167): how many others an individual dominates.
 
 #include <optional>
 #include <vector>

@@ -1,7 +1,8 @@
 #pragma once
 
-// Selection by tournaments (paper, "Evolution"; reference 8.3): of parents and
-// of survivors. Both take distinct individuals; neither keeps an elite.
+// Selection by tournaments (paper, "Evolution"; authors' program,
+// selection.py:6): of parents and of survivors. Both take distinct individuals;
+// neither keeps an elite.
 
 #include <cstddef>
 #include <vector>

@@ -2,7 +2,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "compiler/print.h"
+#include "compiler/truth.h"
 #include "tests/runtime/compile_text.h"
 
 namespace plsc {
@@ -41,7 +41,8 @@ TEST_CASE("and binds tighter than or, whatever the order", "[regulate]") {
       const bool c = (bits & 4) != 0;
       INFO(row.clause << " with " << a << b << c);
       const Environment environment{{double(a), double(b), double(c), 0}};
-      CHECK(Holds(genotype.rules[0].clause, environment) == row.holds(a, b, c));
+      CHECK(ClauseHolds(genotype.rules[0].clause, environment.values) ==
+            row.holds(a, b, c));
     }
   }
 }
@@ -64,7 +65,8 @@ TEST_CASE("thresholds compare as they are written", "[regulate]") {
     const Genotype genotype = test::Robot(
         std::string(kStates) + "rule B -> if " + row.clause + " then { B }\n");
     const auto holds = [&](double heat) {
-      return Holds(genotype.rules[0].clause, Environment{{0, 0, 0, heat}});
+      return ClauseHolds(genotype.rules[0].clause,
+                         std::vector<double>{0, 0, 0, heat});
     };
     CHECK(holds(30.25) == row.below);
     CHECK(holds(30.5) == row.at);
