@@ -20,7 +20,8 @@ class Canvas {
       : width_(width), cells_(static_cast<std::size_t>(width * height), " ") {}
 
   void Set(int x, int y, std::string_view character) {
-    cells_[static_cast<std::size_t>(y * width_ + x)] = character;
+    cells_[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
+           static_cast<std::size_t>(x)] = character;
   }
   void Write(int x, int y, std::string_view ascii) {
     for (std::size_t i = 0; i < ascii.size(); ++i)
