@@ -7,6 +7,7 @@
 #include <fmt/core.h>
 
 #include <cstdlib>
+#include <cstring>
 #include <ctime>
 #include <random>
 #include <vector>
@@ -98,9 +99,13 @@ void Run(double duration) {
 }  // namespace plsc
 
 int main(int argc, char** argv) {
-  const double duration = argc > 1 ? std::strtod(argv[1], nullptr) : 10;
+  // --smoke only shows that it runs; its figures mean nothing.
+  const bool smoke = argc > 1 && std::strcmp(argv[1], "--smoke") == 0;
+  const double duration = smoke      ? 0.1
+                          : argc > 1 ? std::strtod(argv[1], nullptr)
+                                     : 10;
   if (!(duration > 0)) {
-    fmt::print(stderr, "usage: simulate_bench [SECONDS]\n");
+    fmt::print(stderr, "usage: simulate_bench [--smoke | SECONDS]\n");
     return 2;
   }
   plsc::Run(duration);
