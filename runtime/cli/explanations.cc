@@ -18,11 +18,11 @@ std::vector<Explanation> Explanations() {
 }
 
 const Explanation* FindExplanation(std::string_view code) {
-  static const std::vector<Explanation> kAll = Explanations();
+  static const std::vector<Explanation> all = Explanations();
   const auto found =
-      std::find_if(kAll.begin(), kAll.end(),
+      std::find_if(all.begin(), all.end(),
                    [&](const Explanation& row) { return row.code == code; });
-  return found == kAll.end() ? nullptr : &*found;
+  return found == all.end() ? nullptr : &*found;
 }
 
 }  // namespace plsc::cli
