@@ -1,13 +1,11 @@
 #include "grammar/codes.h"
 
-#include <array>
-
 namespace plsc {
 
 namespace {
 
 // P1199 and P5090 are left out: they tell of defects of plsc.
-constexpr std::array<CodeInfo, 48> kCodes = {{
+constexpr CodeInfo kCodes[] = {
     {"P1101", "something that is no item stands where an item should start"},
     {"P1102", "a name is missing, or is a reserved word"},
     {"P1103", "a state of a clause is not compared with anything"},
@@ -48,19 +46,31 @@ constexpr std::array<CodeInfo, 48> kCodes = {{
     {"P3002",
      "more rules, states, symbols, values or constants than plsc "
      "can hold"},
+    {"P4001", "a string that grows beyond what development may produce"},
     {"P5001", "the version line is missing or wrong"},
     {"P5002", "a file of a newer language"},
     {"P5003", "a version of an alphabet that this tool does not know"},
     {"P5010", "an unresolved merge conflict"},
     {"P5011", "a file that is not UTF-8"},
+    {"P5012", "a genotype in the notation of the authors' program"},
     {"P5013", "an empty file"},
+    {"P5014", "a file that cannot be read"},
     {"P5015", "a file that is too large"},
     {"P5016", "a file that is not a text"},
+    {"P5100", "a scenario or experiment that is not YAML"},
+    {"P5101", "a key of YAML that does not exist here"},
+    {"P5102", "a key of YAML that is given twice"},
+    {"P5103", "a value of YAML of the wrong kind"},
+    {"P5104", "a number of YAML out of its range"},
+    {"P5105", "a quantity of YAML with a missing or wrong unit"},
+    {"P5106", "a key of YAML that is required"},
+    {"P5107", "a word of YAML that is none of those expected"},
+    {"P5108", "values of YAML that do not fit together"},
     {"W3002", "a clause that is true, or false, in every environment"},
     {"W3003",
      "a symbol without an active rule in some environment (on "
      "request)"},
-}};
+};
 
 }  // namespace
 

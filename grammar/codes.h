@@ -1,8 +1,9 @@
 #pragma once
 
-// Every diagnostic code of the language with one line about it: what the
-// reference (docs/language.md) lists and `plsc explain` can show. P1 syntax,
-// P2 names and types, P3 regulation, P5 files; W warnings.
+// Every diagnostic code with one line about it: what the reference
+// (docs/language.md) lists. `plsc explain` has more to say of each
+// (runtime/cli/explanations.h). P1 syntax, P2 names and types, P3 regulation,
+// P4 development, P5 files, P51 scenarios and experiments; W warnings.
 
 #include <span>
 #include <string_view>

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "grammar/shown_line.h"
 
@@ -20,9 +21,35 @@ std::string Clip(std::string_view text) {
   return Printable(text, kMaxMessage);
 }
 
-// One source line with `mark` repeated under the bytes of `span`.
-std::string ShowPlace(const Source& source, Span span, char mark,
-                      std::string_view label, std::size_t gutter) {
+// Select Graphic Rendition of ECMA-48: bold, and the colours that terminals
+// show on dark and on light ground alike.
+constexpr std::string_view kBold = "1";
+constexpr std::string_view kRed = "1;31";
+constexpr std::string_view kYellow = "1;33";
+constexpr std::string_view kBlue = "1;34";
+
+// What paints texts, or leaves them as they are.
+struct Painter {
+  bool in_color = false;
+
+  std::string operator()(std::string_view ink, std::string_view text) const {
+    if (!in_color || text.empty()) return std::string(text);
+    return fmt::format("\033[{}m{}\033[0m", ink, text);
+  }
+};
+
+// A place that is shown: what is under it, and how.
+struct Place {
+  Span span;
+  char mark;
+  std::string_view label;
+  std::string_view ink;
+};
+
+// One source line with the mark repeated under the bytes of the place.
+std::string ShowPlace(const Source& source, const Place& place,
+                      std::size_t gutter, const Painter& paint) {
+  const Span span = place.span;
   const int line_number = source.PositionOf(span.begin).line;
   const std::string_view line = source.Line(line_number);
   const std::uint32_t line_begin = source.LineBegin(line_number);
@@ -44,41 +71,48 @@ std::string ShowPlace(const Source& source, Span span, char mark,
     first = first - from + (from > 0 ? 3 : 0);
   }
   std::string text =
-      fmt::format("{:>{}} | {}\n", line_number, gutter, shown_text);
-  text += fmt::format("{:>{}} | {:{}}{}", "", gutter, "", first,
-                      std::string(width, mark));
-  if (!label.empty()) text += fmt::format(" {}", Clip(label));
-  return text + "\n";
+      paint(kBlue, fmt::format("{:>{}} | ", line_number, gutter)) + shown_text +
+      "\n" + paint(kBlue, fmt::format("{:>{}} | ", "", gutter)) +
+      std::string(first, ' ');
+  std::string marks(width, place.mark);
+  if (!place.label.empty()) marks += " " + Clip(place.label);
+  return text + paint(place.ink, marks) + "\n";
 }
 
 }  // namespace
 
-std::string Render(const Diagnostic& diagnostic, const Source& source) {
+std::string Render(const Diagnostic& diagnostic, const Source& source,
+                   bool in_color) {
+  const Painter paint{in_color};
   const Position at = source.PositionOf(diagnostic.span.begin);
   int last_line = at.line;
   for (const Label& other : diagnostic.others)
     last_line = std::max(last_line, source.PositionOf(other.span.begin).line);
   const std::size_t gutter = std::to_string(last_line).size();
+  const bool is_error = diagnostic.severity == Severity::kError;
+  const std::string_view ink = is_error ? kRed : kYellow;
 
+  std::string kind = is_error ? "error" : "warning";
+  if (!diagnostic.code.empty()) kind += fmt::format("[{}]", diagnostic.code);
   std::string text =
-      diagnostic.severity == Severity::kError ? "error" : "warning";
-  if (!diagnostic.code.empty()) text += fmt::format("[{}]", diagnostic.code);
-  text += fmt::format(": {}\n", Clip(diagnostic.message));
-  text += fmt::format("{:>{}}--> {}:{}:{}\n", "", gutter, source.name(),
-                      at.line, at.column);
-  text += ShowPlace(source, diagnostic.span, '^', diagnostic.label, gutter);
+      paint(ink, kind) + paint(kBold, ": " + Clip(diagnostic.message)) + "\n";
+  text += paint(kBlue, fmt::format("{:>{}}--> ", "", gutter));
+  text += fmt::format("{}:{}:{}\n", source.name(), at.line, at.column);
+  text += ShowPlace(source, {diagnostic.span, '^', diagnostic.label, ink},
+                    gutter, paint);
   for (const Label& other : diagnostic.others)
-    text += ShowPlace(source, other.span, '-', other.text, gutter);
-  for (const std::string& note : diagnostic.notes)
-    text += fmt::format("{:>{}} = note: {}\n", "", gutter, Clip(note));
-  if (!diagnostic.help.empty())
     text +=
-        fmt::format("{:>{}} = help: {}\n", "", gutter, Clip(diagnostic.help));
+        ShowPlace(source, {other.span, '-', other.text, kBlue}, gutter, paint);
+  const std::string mark = paint(kBlue, fmt::format("{:>{}} = ", "", gutter));
+  for (const std::string& note : diagnostic.notes)
+    text += mark + paint(kBold, "note") + ": " + Clip(note) + "\n";
+  if (!diagnostic.help.empty())
+    text += mark + paint(kBold, "help") + ": " + Clip(diagnostic.help) + "\n";
   return text;
 }
 
 std::string Render(std::vector<Diagnostic> diagnostics, const Source& source,
-                   int limit) {
+                   const RenderOptions& options) {
   std::stable_sort(diagnostics.begin(), diagnostics.end(),
                    [](const Diagnostic& a, const Diagnostic& b) {
                      return a.span.begin < b.span.begin;
@@ -86,15 +120,20 @@ std::string Render(std::vector<Diagnostic> diagnostics, const Source& source,
   std::string text;
   int shown = 0;
   for (const Diagnostic& diagnostic : diagnostics) {
-    if (limit > 0 && shown == limit) {
+    if (options.limit > 0 && shown == options.limit) {
       text += fmt::format("... and {} more (--max-errors 0 shows all)\n",
                           diagnostics.size() - static_cast<std::size_t>(shown));
       break;
     }
-    text += Render(diagnostic, source);
+    text += Render(diagnostic, source, options.in_color);
     ++shown;
   }
   return text;
+}
+
+std::string Render(std::vector<Diagnostic> diagnostics, const Source& source,
+                   int limit) {
+  return Render(std::move(diagnostics), source, RenderOptions{limit, false});
 }
 
 }  // namespace plsc

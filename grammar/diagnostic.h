@@ -37,12 +37,23 @@ struct Diagnostic {
   std::vector<Fix> fixes;
 };
 
-/// file:line:column, the line, a caret, the notes; ends in a newline.
-/// Deterministic, without colour.
-std::string Render(const Diagnostic& diagnostic, const Source& source);
+/// How a rendering looks; the text is the same with and without colour.
+struct RenderOptions {
+  int limit = 20;         ///< most diagnostics that are shown; 0 shows all
+  bool in_color = false;  ///< with the escape sequences of a terminal
+};
 
-/// All of them by position, at most `limit` (then a line that counts the
-/// rest); 0 shows all.
+/// file:line:column, the line, a caret, the notes; ends in a newline.
+/// Deterministic.
+std::string Render(const Diagnostic& diagnostic, const Source& source,
+                   bool in_color = false);
+
+/// All of them by position, at most `options.limit` (then a line that counts
+/// the rest).
+std::string Render(std::vector<Diagnostic> diagnostics, const Source& source,
+                   const RenderOptions& options);
+
+/// Without colour.
 std::string Render(std::vector<Diagnostic> diagnostics, const Source& source,
                    int limit = 20);
 

@@ -5,6 +5,8 @@
 #include <array>
 #include <cstring>
 
+#include "grammar/foreign_file.h"
+
 namespace plsc {
 
 namespace {
@@ -118,7 +120,8 @@ std::optional<Diagnostic> Screen(const Source& source) {
     return diagnostic;
   }
   if (auto encoding = ScreenEncoding(source.text())) return encoding;
-  return ScreenMerge(source.text());
+  if (auto merge = ScreenMerge(source.text())) return merge;
+  return DescribeForeignFile(source.text());
 }
 
 }  // namespace plsc

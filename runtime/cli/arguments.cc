@@ -43,14 +43,74 @@ CLI::App* AddCheck(CLI::App& app, CheckCommand& command) {
       app.add_subcommand("check", "Say whether files are correct genotypes");
   sub->add_option("FILE", command.files, "genotype files; - is standard input")
       ->required();
-  AddFormat(sub, command.format, "one diagnostic a line");
+  sub->add_option("--format", command.format,
+                  "text for people (default); json: one diagnostic a line; "
+                  "sarif: one SARIF 2.1.0 document; github: annotations of "
+                  "GitHub Actions")
+      ->transform(CLI::CheckedTransformer(
+          std::map<std::string, CheckFormat>{{"text", CheckFormat::kText},
+                                             {"json", CheckFormat::kJson},
+                                             {"sarif", CheckFormat::kSarif},
+                                             {"github", CheckFormat::kGithub}}))
+      ->type_name("text|json|sarif|github")
+      ->option_text("text|json|sarif|github");
   sub->add_flag("--allow-range", command.allow_range,
                 "arguments outside their range are warnings, not errors");
+  sub->add_option("--color", command.color,
+                  "auto (default): on a terminal, unless NO_COLOR is set")
+      ->transform(CLI::CheckedTransformer(
+          std::map<std::string, ColorChoice>{{"auto", ColorChoice::kAuto},
+                                             {"always", ColorChoice::kAlways},
+                                             {"never", ColorChoice::kNever}}))
+      ->type_name("auto|always|never")
+      ->option_text("auto|always|never");
+  sub->add_option("--max-errors", command.max_errors,
+                  "most diagnostics that text shows of a file (default 20); 0 "
+                  "shows all")
+      ->check(CLI::Range(0, 1000000))
+      ->option_text("N");
   sub->footer(
       "Prints every error that can be found, with file:line:column, the line, "
       "a caret\nand what was expected. Exit status 1 if there is any.\n\n"
       "  plsc check robots/*.pls\n"
-      "  plsc check --format json robot.pls | jq .message");
+      "  plsc check --format json robot.pls | jq .message\n"
+      "  plsc check --format github robots/*.pls    in a workflow\n\n"
+      "'plsc explain CODE' says more of a code; 'plsc fix' mends what it can.");
+  return sub;
+}
+
+CLI::App* AddExplain(CLI::App& app, ExplainCommand& command) {
+  CLI::App* sub = app.add_subcommand(
+      "explain", "Explain a diagnostic's code, with an example mended");
+  sub->add_option("CODE", command.code, "as in error[P2001]");
+  sub->add_flag("--list", command.list, "all codes, one a line");
+  AddFormat(sub, command.format, "one object a code");
+  sub->footer(
+      "  plsc explain P2001\n"
+      "  plsc explain --list");
+  return sub;
+}
+
+CLI::App* AddFix(CLI::App& app, FixCommand& command) {
+  CLI::App* sub = app.add_subcommand(
+      "fix", "Mend errors whose mending the diagnostics know");
+  sub->add_option("FILE", command.files,
+                  "genotype files, rewritten in place; - is standard input, "
+                  "printed")
+      ->required();
+  sub->add_flag("--check", command.check,
+                "write nothing; exit status 1 if anything would be mended");
+  sub->add_flag("--allow-range", command.allow_range,
+                "arguments outside their range are warnings, not errors");
+  sub->footer(
+      "Makes the replacements that 'plsc check' proposes (\"did you mean\", "
+      "\"write\",\n\"insert\"), compiles again, and goes on until nothing more "
+      "can be mended. Says\nwhat it changed and what is left. A file is "
+      "replaced as a whole or not at all,\nand never by one with more errors. "
+      "Exit status 1 if errors remain.\n\n"
+      "  plsc fix robot.pls\n"
+      "  plsc fix --check robots/*.pls\n"
+      "  plsc fix - < robot.pls > mended.pls");
   return sub;
 }
 
@@ -261,12 +321,16 @@ Command ParseArguments(const std::vector<std::string>& arguments) {
   app.require_subcommand(1);
 
   CheckCommand check;
+  ExplainCommand explain;
+  FixCommand fix;
   FmtCommand fmt;
   DevelopCommand develop;
   SimulateCommand simulate;
   EvolveCommand evolve;
   RandomCommand random;
   const CLI::App* check_app = AddCheck(app, check);
+  const CLI::App* explain_app = AddExplain(app, explain);
+  const CLI::App* fix_app = AddFix(app, fix);
   const CLI::App* fmt_app = AddFmt(app, fmt);
   const CLI::App* develop_app = AddDevelop(app, develop);
   const CLI::App* simulate_app = AddSimulate(app, simulate);
@@ -288,6 +352,8 @@ Command ParseArguments(const std::vector<std::string>& arguments) {
     return AnswerTo(app, error);
   }
   if (check_app->parsed()) return check;
+  if (explain_app->parsed()) return explain;
+  if (fix_app->parsed()) return fix;
   if (fmt_app->parsed()) return fmt;
   if (develop_app->parsed()) return develop;
   if (simulate_app->parsed()) return simulate;

@@ -5,48 +5,84 @@
 #include "compiler/compile.h"
 #include "runtime/cli/commands.h"
 #include "runtime/cli/diagnostic_json.h"
+#include "runtime/cli/github_annotation.h"
+#include "runtime/cli/sarif.h"
 
 namespace plsc::cli {
 
 namespace {
 
-void Show(const std::vector<Diagnostic>& diagnostics, const Source& source,
-          OutputFormat format, Io& io) {
-  if (format == OutputFormat::kText) return Report(diagnostics, source, io);
-  for (const Diagnostic& diagnostic : diagnostics)
-    io.out << DiagnosticJson(diagnostic, source) << '\n';
+bool UsesColor(ColorChoice choice, const Io& io) {
+  return choice == ColorChoice::kAlways ||
+         (choice == ColorChoice::kAuto && io.err_in_color);
 }
 
-bool CheckOne(const std::string& file, const CheckCommand& command, Io& io) {
-  const Result<Source> source = ReadSource(file, io);
+void Show(const CheckedFile& file, const CheckCommand& command, Io& io) {
+  switch (command.format) {
+    case CheckFormat::kText:
+      io.err << Render(
+          file.diagnostics, file.source,
+          RenderOptions{command.max_errors, UsesColor(command.color, io)});
+      break;
+    case CheckFormat::kJson:
+      for (const Diagnostic& diagnostic : file.diagnostics)
+        io.out << DiagnosticJson(diagnostic, file.source) << '\n';
+      break;
+    case CheckFormat::kGithub:
+      for (const Diagnostic& diagnostic : file.diagnostics)
+        io.out << GithubAnnotation(diagnostic, file.source) << '\n';
+      break;
+    case CheckFormat::kSarif:
+      break;  // one document of all files, when all are checked
+  }
+}
+
+// What is wrong with the file, or its contents in one line.
+struct Checked {
+  CheckedFile file;
+  bool is_fine = false;
+};
+
+Checked CheckOne(const std::string& name, const CheckCommand& command, Io& io) {
+  const Result<Source> source = ReadSource(name, io);
+  const bool is_text = command.format == CheckFormat::kText;
   if (!source) {
+    // There is no line to show.
     const Diagnostic& problem = source.diagnostics()[0];
-    if (command.format == OutputFormat::kJson)
-      io.out << DiagnosticJson(problem, Source(file, "")) << '\n';
-    else
+    CheckedFile file{Source(name, ""), {problem}};
+    if (is_text)
       io.err << fmt::format("error[{}]: {}\n", problem.code, problem.message);
-    return false;
+    else
+      Show(file, command, io);
+    return {std::move(file), false};
   }
   CompileOptions options;
   options.allow_out_of_range = command.allow_range;
   const Result<Program> program = Compile(*source, options);
-  Show(program.diagnostics(), *source, command.format, io);
-  if (!program) return false;
-  if (command.format == OutputFormat::kText)
+  CheckedFile file{*source, program.diagnostics()};
+  Show(file, command, io);
+  if (program && is_text)
     io.out << fmt::format(
         "{}: genotype {}, alphabet {}, {} rules, {} states, {} environments\n",
         source->name(), program->genotype.name,
         program->genotype.alphabet->name(), program->genotype.rules.size(),
         program->genotype.states.size(), program->environments.size());
-  return true;
+  return {std::move(file), static_cast<bool>(program)};
 }
 
 }  // namespace
 
 Exit Run(const CheckCommand& command, Io& io) {
+  const bool is_sarif = command.format == CheckFormat::kSarif;
+  std::vector<CheckedFile> files;  // of SARIF only: there may be thousands
   bool all_fine = true;
-  for (const std::string& file : command.files)
-    all_fine = CheckOne(file, command, io) && all_fine;
+  for (const std::string& name : command.files) {
+    Checked checked = CheckOne(name, command, io);
+    all_fine = checked.is_fine && all_fine;
+    if (is_sarif && !checked.file.diagnostics.empty())
+      files.push_back(std::move(checked.file));
+  }
+  if (is_sarif) io.out << Sarif(files);
   return all_fine ? Exit::kFine : Exit::kBadInput;
 }
 

@@ -16,9 +16,28 @@ namespace plsc::cli {
 
 enum class OutputFormat : std::uint8_t { kText, kJson };
 
+enum class CheckFormat : std::uint8_t { kText, kJson, kSarif, kGithub };
+
+/// kAuto: when standard error is a terminal and NO_COLOR is not set.
+enum class ColorChoice : std::uint8_t { kAuto, kAlways, kNever };
+
 struct CheckCommand {
   std::vector<std::string> files;
+  CheckFormat format = CheckFormat::kText;
+  bool allow_range = false;
+  ColorChoice color = ColorChoice::kAuto;
+  int max_errors = 20;  ///< a file, text format only; 0 shows all
+};
+
+struct ExplainCommand {
+  std::string code;
+  bool list = false;
   OutputFormat format = OutputFormat::kText;
+};
+
+struct FixCommand {
+  std::vector<std::string> files;
+  bool check = false;
   bool allow_range = false;
 };
 
@@ -71,14 +90,17 @@ struct Answer {
   std::string err;
 };
 
-using Command = std::variant<Answer, CheckCommand, FmtCommand, DevelopCommand,
-                             SimulateCommand, EvolveCommand, RandomCommand>;
+using Command =
+    std::variant<Answer, CheckCommand, ExplainCommand, FixCommand, FmtCommand,
+                 DevelopCommand, SimulateCommand, EvolveCommand, RandomCommand>;
 
 /// `arguments` without the program's name.
 Command ParseArguments(const std::vector<std::string>& arguments);
 
 Exit Run(const Answer& answer, Io& io);
 Exit Run(const CheckCommand& command, Io& io);
+Exit Run(const ExplainCommand& command, Io& io);
+Exit Run(const FixCommand& command, Io& io);
 Exit Run(const FmtCommand& command, Io& io);
 Exit Run(const DevelopCommand& command, Io& io);
 Exit Run(const SimulateCommand& command, Io& io);

@@ -85,6 +85,10 @@ bool WriteAll(int descriptor, std::string_view text) {
 
 }  // namespace
 
+bool WantsColor(bool is_terminal, const char* no_color) {
+  return is_terminal && (no_color == nullptr || *no_color == '\0');
+}
+
 Result<Source> ReadSource(const std::string& path, Io& io) {
   if (path == "-") return ReadStandardInput(io);
   const File file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
@@ -127,7 +131,9 @@ std::optional<std::string> WriteFile(const std::string& path,
 
 void Report(const std::vector<Diagnostic>& diagnostics, const Source& source,
             Io& io) {
-  io.err << Render(diagnostics, source);
+  RenderOptions options;
+  options.in_color = io.err_in_color;
+  io.err << Render(diagnostics, source, options);
 }
 
 }  // namespace plsc::cli

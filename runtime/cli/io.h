@@ -27,7 +27,12 @@ struct Io {
   std::ostream& out;
   std::ostream& err;
   bool err_is_terminal = false;  ///< progress lines may be redrawn
+  bool err_in_color = false;     ///< diagnostics may be painted
 };
+
+/// Whether a stream gets colour that nobody asked for: a terminal does, unless
+/// the variable NO_COLOR (nullptr: not set) has any text (no-color.org).
+bool WantsColor(bool is_terminal, const char* no_color);
 
 /// The whole file, or of standard input for "-". Errors name the path and the
 /// system's reason; files over 16 MiB are refused (a genotype has kilobytes).

@@ -1,12 +1,15 @@
 #include <unistd.h>
 
+#include <cstdlib>
 #include <iostream>
 
 #include "runtime/cli/commands.h"
 
 int main(int argc, char** argv) {
   std::ios::sync_with_stdio(false);
-  plsc::cli::Io io{std::cin, std::cout, std::cerr, ::isatty(2) != 0};
+  const bool is_terminal = ::isatty(2) != 0;
+  plsc::cli::Io io{std::cin, std::cout, std::cerr, is_terminal,
+                   plsc::cli::WantsColor(is_terminal, std::getenv("NO_COLOR"))};
   const auto exit = plsc::cli::Main({argv + 1, argv + argc}, io);
   std::cout.flush();
   if (!std::cout) {

@@ -104,5 +104,26 @@ TEST_CASE("A message that quotes a name of megabytes is cut", "[diagnostic]") {
   CHECK(shown.find("\xC3\xA9...") != std::string::npos);
 }
 
+TEST_CASE("Colour changes nothing but the colour", "[diagnostic]") {
+  const Source source("a.pls", "first line\nsecond line\n");
+  Diagnostic diagnostic = At({18, 22}, "something is wrong");
+  diagnostic.label = "this";
+  diagnostic.others.push_back({{0, 5}, "because of this"});
+  diagnostic.notes.emplace_back("a note");
+  diagnostic.help = "what to do";
+  for (const Severity severity : {Severity::kError, Severity::kWarning}) {
+    diagnostic.severity = severity;
+    const std::string plain = Render(diagnostic, source);
+    CHECK(plain.find('\033') == std::string::npos);
+    std::string colored = Render(diagnostic, source, true);
+    CHECK(colored.find(severity == Severity::kError
+                           ? "\033[1;31merror[P0000]\033[0m"
+                           : "\033[1;33mwarning[P0000]\033[0m") == 0);
+    for (std::size_t at = 0; (at = colored.find('\033')) != std::string::npos;)
+      colored.erase(at, colored.find('m', at) - at + 1);
+    CHECK(colored == plain);
+  }
+}
+
 }  // namespace
 }  // namespace plsc

@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "runtime/cli/commands.h"
 #include "tests/runtime/cli/run_plsc.h"
 
 namespace plsc {
@@ -72,6 +73,65 @@ TEST_CASE("check of hostile bytes prints an error and valid JSON", "[check]") {
   const auto ran = RunPlsc({"check", "-", "--format", "json"}, hostile);
   CHECK(ran.exit == 1);
   CHECK(nlohmann::json::accept(ran.out.substr(0, ran.out.find('\n'))));
+}
+
+// `count` errors, one a line.
+std::string Errors(int count) {
+  std::string text = "plsc 1\nalphabet plasticoding 1\n";
+  for (int i = 0; i < count; ++i) text += "rule Q -> { B }\n";
+  return text;
+}
+
+std::size_t CountIn(const std::string& text, const std::string& what) {
+  std::size_t count = 0;
+  for (std::size_t at = text.find(what); at != std::string::npos;
+       at = text.find(what, at + what.size()))
+    ++count;
+  return count;
+}
+
+TEST_CASE("check --max-errors limits what text shows", "[check]") {
+  const auto usual = RunPlsc({"check", "-"}, Errors(25));
+  CHECK(CountIn(usual.err, "error[P2001]") == 20);
+  CHECK(usual.err.find("... and 5 more (--max-errors 0 shows all)\n") !=
+        std::string::npos);
+  const auto two = RunPlsc({"check", "-", "--max-errors", "2"}, Errors(25));
+  CHECK(CountIn(two.err, "error[P2001]") == 2);
+  CHECK(two.err.find("... and 23 more") != std::string::npos);
+  const auto all = RunPlsc({"check", "-", "--max-errors", "0"}, Errors(25));
+  CHECK(CountIn(all.err, "error[P2001]") == 25);
+  CHECK(all.err.find("more") == std::string::npos);
+  CHECK(RunPlsc({"check", "-", "--max-errors", "-1"}, Errors(1)).exit == 2);
+}
+
+TEST_CASE("check is painted only when asked or on a terminal", "[check]") {
+  const std::string text = Errors(1);
+  const auto plain = RunPlsc({"check", "-"}, text);
+  CHECK(plain.err.find('\033') == std::string::npos);
+  CHECK(RunPlsc({"check", "-", "--color", "never"}, text).err == plain.err);
+  const auto painted = RunPlsc({"check", "-", "--color", "always"}, text);
+  CHECK(painted.err.find("\033[1;31merror[P2001]\033[0m") == 0);
+  CHECK(painted.out == plain.out);
+
+  const auto on_terminal = [&](const std::vector<std::string>& arguments) {
+    std::istringstream in(text);
+    std::ostringstream out;
+    std::ostringstream err;
+    cli::Io io{in, out, err, true, true};
+    cli::Main(arguments, io);
+    return err.str();
+  };
+  CHECK(on_terminal({"check", "-"}) == painted.err);
+  CHECK(on_terminal({"check", "-", "--color", "never"}) == plain.err);
+}
+
+TEST_CASE("check --format github prints annotations", "[check]") {
+  const auto ran = RunPlsc({"check", "-", "--format", "github"}, Errors(2));
+  CHECK(ran.exit == 1);
+  CHECK(ran.err.empty());
+  CHECK(ran.out.find("::error file=<stdin>,line=3,col=6,endLine=3,endColumn=7,"
+                     "title=P2001::unknown symbol 'Q'") == 0);
+  CHECK(CountIn(ran.out, "\n") == 2);
 }
 
 }  // namespace

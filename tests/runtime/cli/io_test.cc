@@ -74,5 +74,13 @@ TEST_CASE("a full disk leaves the old file and no leftovers", "[io]") {
   CHECK(folder.Files() == std::vector<std::string>{"a"});
 }
 
+TEST_CASE("Colour is for terminals whose user does not refuse it", "[io]") {
+  CHECK(cli::WantsColor(true, nullptr));
+  CHECK(cli::WantsColor(true, ""));
+  CHECK_FALSE(cli::WantsColor(true, "1"));
+  CHECK_FALSE(cli::WantsColor(true, "0"));
+  CHECK_FALSE(cli::WantsColor(false, nullptr));
+}
+
 }  // namespace
 }  // namespace plsc

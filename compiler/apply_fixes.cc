@@ -1,0 +1,168 @@
+#include "compiler/apply_fixes.h"
+
+#include <algorithm>
+#include <iterator>
+#include <set>
+#include <utility>
+
+namespace plsc {
+
+namespace {
+
+// Rounds of compiling: a round mends all that does not overlap, and each item
+// reports one syntax error at most, so that real files need a few. The bound
+// keeps fixes that undo each other from going on for ever.
+constexpr int kMaxRounds = 50;
+
+std::size_t CountErrors(const std::vector<Diagnostic>& diagnostics) {
+  return static_cast<std::size_t>(std::count_if(
+      diagnostics.begin(), diagnostics.end(),
+      [](const Diagnostic& d) { return d.severity == Severity::kError; }));
+}
+
+// Whether two changes cannot both be made. Two insertions at one place touch:
+// their order would matter.
+bool Touch(const Fix& a, const Fix& b) {
+  if (a.span.begin == b.span.begin) return true;
+  return a.span.begin < b.span.end && b.span.begin < a.span.end;
+}
+
+bool TouchesAny(const Fix& fix, const std::vector<Fix>& others) {
+  return std::any_of(others.begin(), others.end(),
+                     [&](const Fix& other) { return Touch(fix, other); });
+}
+
+bool IsInText(const Fix& fix, const Source& source) {
+  return fix.span.begin <= fix.span.end && fix.span.end <= source.text().size();
+}
+
+// Diagnostics by where their first change is.
+std::vector<const Diagnostic*> Fixable(
+    const std::vector<Diagnostic>& diagnostics) {
+  std::vector<const Diagnostic*> fixable;
+  for (const Diagnostic& diagnostic : diagnostics)
+    if (!diagnostic.fixes.empty()) fixable.push_back(&diagnostic);
+  std::stable_sort(fixable.begin(), fixable.end(),
+                   [](const Diagnostic* a, const Diagnostic* b) {
+                     return a->fixes[0].span.begin < b->fixes[0].span.begin;
+                   });
+  return fixable;
+}
+
+MadeFix Describe(const Fix& fix, const std::string& code,
+                 const Source& source) {
+  return {source.PositionOf(fix.span.begin), code,
+          std::string(source.text().substr(fix.span.begin,
+                                           fix.span.end - fix.span.begin)),
+          fix.replacement};
+}
+
+// One path of mending: each round goes on from the text of the last.
+class Mender {
+ public:
+  Mender(const Source& source, const CompileOptions& options)
+      : name_(source.name()), options_(options) {
+    current_ = Compiled(std::string(source.text()), {});
+    best_ = current_;
+    seen_.insert(current_.text);
+  }
+
+  /// All fixes at once, and go on even if there are more errors meanwhile: a
+  /// mended item may show what it hid, and that may be mended next.
+  void MendTogether() {
+    for (int round = 0; round < kMaxRounds; ++round) {
+      const MendedText next = Step(current_, current_.remaining);
+      if (next.made.size() == current_.made.size() ||
+          !seen_.insert(next.text).second)
+        return;
+      current_ = next;
+      Keep(current_);
+    }
+  }
+
+  /// One diagnostic after the other; those that do not help are passed over.
+  void MendOneByOne() {
+    std::size_t passed_over = 0;
+    for (int round = 0; round < kMaxRounds; ++round) {
+      const auto fixable = Fixable(best_.remaining);
+      if (passed_over >= fixable.size()) return;
+      const MendedText next = Step(best_, {*fixable[passed_over]});
+      const bool helps = seen_.insert(next.text).second && Keep(next);
+      if (!helps) ++passed_over;
+    }
+  }
+
+  const MendedText& best() const { return best_; }
+
+ private:
+  MendedText Compiled(std::string text, std::vector<MadeFix> made) const {
+    const Result<Program> result = Compile(Source(name_, text), options_);
+    return {std::move(text), std::move(made), result.diagnostics()};
+  }
+
+  MendedText Step(const MendedText& from,
+                  const std::vector<Diagnostic>& diagnostics) const {
+    MendedText applied = ApplyFixes(Source(name_, from.text), diagnostics);
+    std::vector<MadeFix> made = from.made;
+    std::move(applied.made.begin(), applied.made.end(),
+              std::back_inserter(made));
+    return Compiled(std::move(applied.text), std::move(made));
+  }
+
+  // Whether `next` is the best text so far.
+  bool Keep(const MendedText& next) {
+    if (CountErrors(next.remaining) > CountErrors(best_.remaining))
+      return false;
+    best_ = next;
+    return true;
+  }
+
+  std::string name_;
+  CompileOptions options_;
+  MendedText current_;
+  MendedText best_;
+  std::set<std::string> seen_;
+};
+
+}  // namespace
+
+MendedText ApplyFixes(const Source& source,
+                      const std::vector<Diagnostic>& diagnostics) {
+  MendedText mended;
+  std::vector<Fix> chosen;
+  for (const Diagnostic* diagnostic : Fixable(diagnostics)) {
+    const bool can_be_made =
+        std::all_of(diagnostic->fixes.begin(), diagnostic->fixes.end(),
+                    [&](const Fix& fix) {
+                      return IsInText(fix, source) && !TouchesAny(fix, chosen);
+                    });
+    if (!can_be_made) continue;
+    for (const Fix& fix : diagnostic->fixes) {
+      chosen.push_back(fix);
+      mended.made.push_back(Describe(fix, diagnostic->code, source));
+    }
+  }
+  std::sort(chosen.begin(), chosen.end(), [](const Fix& a, const Fix& b) {
+    return a.span.begin < b.span.begin;
+  });
+  std::uint32_t copied = 0;
+  for (const Fix& fix : chosen) {
+    mended.text += source.text().substr(copied, fix.span.begin - copied);
+    mended.text += fix.replacement;
+    copied = fix.span.end;
+  }
+  mended.text += source.text().substr(copied);
+  return mended;
+}
+
+MendedText MendText(const Source& source, const CompileOptions& options) {
+  Mender together(source, options);
+  together.MendTogether();
+  if (!together.best().made.empty()) return together.best();
+  // One fix that makes things worse must not keep the others from being made.
+  Mender careful(source, options);
+  careful.MendOneByOne();
+  return careful.best();
+}
+
+}  // namespace plsc

@@ -1,0 +1,84 @@
+#include "grammar/foreign_file.h"
+
+#include <algorithm>
+#include <array>
+
+namespace plsc {
+
+namespace {
+
+// Heads of lines in Revolve's text form, and tokens that no genotype of plsc
+// has, at the commit that the paper cites.
+constexpr std::array<std::string_view, 5> kHeads = {"C", "B", "AJ1", "AJ2",
+                                                    "ST"};
+constexpr std::array<std::string_view, 18> kTokens = {
+    "AJ1",          "AJ2",
+    "ST",           "addf",
+    "addl",         "addr",
+    "brainmoveFTS", "brainmoveTTS",
+    "brainedge",    "brainloop",
+    "brainperturb", "brainampperturb",
+    "movef",        "brainperperturb",
+    "movel",        "brainoffperturb",
+    "mover",        "moveb",
+};
+// How far to look for a token: the first rule of any robot has one.
+constexpr std::size_t kLookedAt = 4096;
+
+template <std::size_t N>
+bool IsOneOf(const std::array<std::string_view, N>& words,
+             std::string_view word) {
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+// The next word at or behind `*at`; parameters follow a token behind '_'.
+std::string_view NextWord(std::string_view text, std::size_t* at) {
+  const std::size_t begin = text.find_first_not_of(" \t\r\n", *at);
+  if (begin == std::string_view::npos) {
+    *at = text.size();
+    return {};
+  }
+  *at = std::min(text.find_first_of(" \t\r\n", begin), text.size());
+  const std::string_view word = text.substr(begin, *at - begin);
+  return word.substr(0, word.find('_'));
+}
+
+// `C C brainmoveTTS_1|2 addf AJ1_0.5|2|3|4`
+bool IsTokenText(std::string_view text) {
+  std::size_t at = 0;
+  if (!IsOneOf(kHeads, NextWord(text, &at))) return false;
+  while (at < text.size())
+    if (IsOneOf(kTokens, NextWord(text, &at))) return true;
+  return false;
+}
+
+// `{<Alphabet.CORE_COMPONENT: 'C'>: [[...]]}`
+bool IsPythonText(std::string_view text) {
+  const std::size_t begin = text.find_first_not_of(" \t\r\n");
+  return begin != std::string_view::npos &&
+         (text[begin] == '{' || text[begin] == '[' || text[begin] == '<') &&
+         text.find("<Alphabet.") != std::string_view::npos;
+}
+
+}  // namespace
+
+std::optional<Diagnostic> DescribeForeignFile(std::string_view text) {
+  const std::string_view start = text.substr(0, kLookedAt);
+  if (!IsPythonText(start) && !IsTokenText(start)) return std::nullopt;
+  Diagnostic diagnostic;
+  diagnostic.code = "P5012";
+  const auto begin =
+      static_cast<std::uint32_t>(start.find_first_not_of(" \t\r\n"));
+  diagnostic.span = {begin, begin + 1};
+  diagnostic.message =
+      "this looks like a genotype of Revolve, the authors' program";
+  diagnostic.label = "a genotype of plsc starts with 'plsc 1'";
+  diagnostic.notes.emplace_back(
+      "Revolve's AJ1 is the paper's A2 and its AJ2 is A1; parameters are "
+      "ordered w, a, p, o");
+  diagnostic.help =
+      "write its rules in plsc's language, as in 'rule C -> { C add_front B }'";
+  return diagnostic;
+}
+
+}  // namespace plsc

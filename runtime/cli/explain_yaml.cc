@@ -1,0 +1,127 @@
+// Explanations of the codes P51: scenarios and experiments, which are YAML.
+
+#include "runtime/cli/explanations.h"
+
+namespace plsc::cli {
+
+namespace {
+
+constexpr Explanation kRows[] = {
+    {"P5100", ExampleKind::kExperiment,
+     R"(The file does not follow the syntax of YAML; the message is that of the
+YAML reader. Often a bracket or quote is not closed, or an indentation
+is wrong.
+)",
+     R"(plsc_experiment: 1
+states: [inclined, hot
+)",
+     R"(plsc_experiment: 1
+states: [inclined]
+)"},
+    {"P5101", ExampleKind::kExperiment,
+     R"(No such key is known here. Unknown keys are errors, for a misspelt one
+would otherwise silently leave its default. docs/experiments.md lists
+all keys.
+)",
+     R"(plsc_experiment: 1
+populaton: 50
+)",
+     R"(plsc_experiment: 1
+population: 50
+)"},
+    {"P5102", ExampleKind::kExperiment,
+     R"(A key stands twice in one map, and only one of the values could count.
+)",
+     R"(plsc_experiment: 1
+seed: 1
+seed: 2
+)",
+     R"(plsc_experiment: 1
+seed: 2
+)"},
+    {"P5103", ExampleKind::kExperiment,
+     R"(The value has another kind than the key needs: a text where a number is
+expected, a list where a name is, and so on. A text in quotes is never a
+number.
+)",
+     R"(plsc_experiment: 1
+population: many
+)",
+     R"(plsc_experiment: 1
+population: 50
+)"},
+    {"P5104", ExampleKind::kExperiment,
+     R"(A number lies outside the range of its key; the message says which it
+is.
+)",
+     R"(plsc_experiment: 1
+mutation: 1.5
+)",
+     R"(plsc_experiment: 1
+mutation: 0.5
+)"},
+    {"P5105", ExampleKind::kExperiment,
+     R"(A quantity has a unit that does not measure it, or none where one must
+be: angles say deg or rad. Without a unit other quantities are in SI.
+)",
+     R"(plsc_experiment: 1
+scenario:
+  sample_interval: 200 kg
+  seasons:
+    - {name: flat, terrain: flat, senses: {inclined: False}}
+)",
+     R"(plsc_experiment: 1
+scenario:
+  sample_interval: 200 ms
+  seasons:
+    - {name: flat, terrain: flat, senses: {inclined: False}}
+)"},
+    {"P5106", ExampleKind::kExperiment,
+     R"(A key without a default is missing. An experiment that has a scenario
+says its seasons.
+)",
+     R"(plsc_experiment: 1
+scenario: {name: summer}
+)",
+     R"(plsc_experiment: 1
+scenario:
+  name: summer
+  seasons:
+    - {name: flat, terrain: flat, senses: {inclined: False}}
+)"},
+    {"P5107", ExampleKind::kExperiment,
+     R"(The value is a word, but none of those that the key knows, or a name
+that is not written as names are.
+)",
+     R"(plsc_experiment: 1
+encoding: lsystem
+)",
+     R"(plsc_experiment: 1
+encoding: baseline
+)"},
+    {"P5108", ExampleKind::kExperiment,
+     R"(Each value is right, but they do not fit together: two seasons of one
+name, a season that does not answer a state that clauses ask about,
+samples closer than the steps of the physics.
+)",
+     R"(plsc_experiment: 1
+states: [hot]
+scenario:
+  seasons:
+    - {name: flat, terrain: flat, senses: {inclined: False}}
+)",
+     R"(plsc_experiment: 1
+states: [inclined]
+scenario:
+  seasons:
+    - {name: flat, terrain: flat, senses: {inclined: False}}
+)"},
+};
+
+}  // namespace
+
+std::span<const Explanation> YamlExplanations() {
+  return kRows;
+}
+
+}  // namespace plsc::cli

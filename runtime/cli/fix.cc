@@ -1,0 +1,86 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <ostream>
+
+#include "compiler/apply_fixes.h"
+#include "grammar/shown_line.h"
+#include "runtime/cli/commands.h"
+
+namespace plsc::cli {
+
+namespace {
+
+// Of a removed or inserted text: line ends are part of some.
+constexpr std::size_t kMaxShown = 60;
+
+std::string Quoted(const std::string& text) {
+  std::string shown = text;
+  for (std::size_t at = 0; (at = shown.find('\n', at)) != std::string::npos;)
+    shown.replace(at, 1, "\\n");
+  return "'" + Printable(shown, kMaxShown) + "'";
+}
+
+std::string Describe(const MadeFix& fix) {
+  if (fix.removed.empty()) return "inserted " + Quoted(fix.replacement);
+  if (fix.replacement.empty()) return "removed " + Quoted(fix.removed);
+  return Quoted(fix.removed) + " -> " + Quoted(fix.replacement);
+}
+
+bool HasErrors(const std::vector<Diagnostic>& diagnostics) {
+  return std::any_of(
+      diagnostics.begin(), diagnostics.end(),
+      [](const Diagnostic& d) { return d.severity == Severity::kError; });
+}
+
+// Where the mended text goes. Whether it went there.
+bool Deliver(const std::string& file, const MendedText& mended,
+             const FixCommand& command, Io& io) {
+  if (command.check) return true;
+  if (file == "-") {
+    io.out << mended.text;
+    return true;
+  }
+  if (mended.made.empty()) return true;
+  const auto failure = WriteFile(file, mended.text);
+  if (failure)
+    io.err << fmt::format("error: cannot write '{}': {}\n", file, *failure);
+  return !failure;
+}
+
+// Whether the file is (now) without errors.
+bool FixOne(const std::string& file, const FixCommand& command, Io& io) {
+  const Result<Source> source = ReadSource(file, io);
+  if (!source) {
+    io.err << fmt::format("error[{}]: {}\n", source.diagnostics()[0].code,
+                          source.diagnostics()[0].message);
+    return false;
+  }
+  CompileOptions options;
+  options.allow_out_of_range = command.allow_range;
+  const MendedText mended = MendText(*source, options);
+  if (!Deliver(file, mended, command, io)) return false;
+  for (const MadeFix& fix : mended.made)
+    io.err << fmt::format("{}:{}:{}: {} [{}]: {}\n", source->name(),
+                          fix.position.line, fix.position.column,
+                          command.check ? "would fix" : "fixed", fix.code,
+                          Describe(fix));
+  // With --check the places are of a text that nobody has on disk.
+  const bool is_elsewhere = command.check && !mended.made.empty();
+  const std::string shown_name =
+      is_elsewhere ? source->name() + " (mended)" : source->name();
+  Report(mended.remaining, Source(shown_name, mended.text), io);
+  return !HasErrors(mended.remaining) &&
+         !(command.check && !mended.made.empty());
+}
+
+}  // namespace
+
+Exit Run(const FixCommand& command, Io& io) {
+  bool all_fine = true;
+  for (const std::string& file : command.files)
+    all_fine = FixOne(file, command, io) && all_fine;
+  return all_fine ? Exit::kFine : Exit::kBadInput;
+}
+
+}  // namespace plsc::cli

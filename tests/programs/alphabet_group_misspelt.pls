@@ -1,0 +1,3 @@
+plsc 1
+alphabet mine { replacable X }  # expect error[P1116]
+axiom X

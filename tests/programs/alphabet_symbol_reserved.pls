@@ -1,0 +1,3 @@
+plsc 1
+alphabet mine { replaceable rule }  # expect error[P1102]
+axiom X

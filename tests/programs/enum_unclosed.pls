@@ -1,0 +1,4 @@
+plsc 1
+alphabet plasticoding 1
+sense ground: { dry, wet  # expect error[P1107]
+rule B -> { B }

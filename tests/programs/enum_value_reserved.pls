@@ -1,0 +1,3 @@
+plsc 1
+alphabet plasticoding 1
+sense ground: { dry, bool }  # expect error[P1102]

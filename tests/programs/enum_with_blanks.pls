@@ -1,0 +1,3 @@
+plsc 1
+alphabet plasticoding 1
+sense ground: { dry wet }  # expect error[P1116]

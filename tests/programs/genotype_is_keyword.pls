@@ -1,0 +1,3 @@
+plsc 1
+genotype rule  # expect error[P1102]
+alphabet plasticoding 1

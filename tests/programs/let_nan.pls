@@ -1,0 +1,3 @@
+plsc 1
+alphabet plasticoding 1
+let w = nan  # expect error[P1111]

@@ -1,0 +1,3 @@
+plsc 1
+alphabet plasticoding 1
+>>>>>>> theirs  # expect error[P5010]

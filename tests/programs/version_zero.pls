@@ -1,0 +1,1 @@
+plsc 0  # expect error[P5002]
