@@ -35,10 +35,10 @@ struct Derivation {
   const Insertion& operator[](InsertionId id) const { return insertions[id]; }
 };
 
-/// Most symbols over all strings of a derivation that is kept whole: sixteen
-/// strings of the greatest length, some 0.5 GB. Only programs made to be
-/// hostile come near it.
-inline constexpr std::size_t kMaxKeptSymbols = 16 * kMaxStringLength;
+/// Most symbols over all strings of a derivation that is kept whole: eight
+/// strings of the greatest length, at most some 0.4 GB. Only programs made to
+/// be hostile come near it.
+inline constexpr std::size_t kMaxKeptSymbols = 8 * kMaxStringLength;
 
 /// The same rewritings as Derive. Nothing when Derive gives nothing, or when
 /// there would be more than kMaxKeptSymbols to keep.

@@ -84,8 +84,6 @@ void PrintText(const Genotype& genotype, const NamedEnvironment& named,
                      developed.string.size());
   if (developed.phenotype)
     PrintBody(*developed.phenotype, out);
-  else
-    PrintDerivation(genotype, developed.active, out);
 }
 
 // "gecko-inclined_True.svg": a name that every file system takes.
@@ -146,7 +144,10 @@ bool Print(const DevelopCommand& command, const LoadedProgram& loaded,
     return true;
   }
   PrintText(genotype, named, developed, io.out);
-  if (view) io.out << HistoryText(*view);
+  if (view)
+    io.out << HistoryText(*view);
+  else if (!developed.phenotype)
+    PrintDerivation(genotype, developed.active, io.out);
   io.out << '\n';
   return true;
 }

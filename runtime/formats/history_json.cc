@@ -1,6 +1,7 @@
 #include "runtime/formats/history_json.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "compiler/print.h"
 #include "compiler/truth.h"
@@ -103,8 +104,16 @@ Json InsertionJson(const HistoryView& view, InsertionId id) {
 
 Json AncestryJson(const HistoryView& view, InsertionId id) {
   Json ancestry = Json::array();
-  for (const InsertionId one : Ancestry(view.history.derivation, id))
-    ancestry.push_back(InsertionJson(view, one));
+  for (const InsertionId one : Ancestry(view.history.derivation, id)) {
+    Json json = InsertionJson(view, one);
+    const Occurrence& occurrence = view.history.derivation[one].occurrence;
+    if (occurrence.rule != kNoRule) {
+      const Json rule = RuleJson(view, occurrence.rule);
+      json["clause"] = rule["clause"];
+      json["terms"] = rule["terms"];
+    }
+    ancestry.push_back(std::move(json));
+  }
   return ancestry;
 }
 

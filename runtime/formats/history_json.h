@@ -26,7 +26,8 @@ nlohmann::ordered_json EventJson(const HistoryView& view, StringIndex index);
 /// Keys id, symbol, iteration, rule, position, parent, place.
 nlohmann::ordered_json InsertionJson(const HistoryView& view, InsertionId id);
 
-/// The insertion and what it was inserted for, up to the axiom.
+/// The insertion and what it was inserted for, up to the axiom; each but the
+/// axiom also with the clause and terms of its rule.
 nlohmann::ordered_json AncestryJson(const HistoryView& view, InsertionId id);
 
 }  // namespace plsc
