@@ -4,9 +4,10 @@
 
 #include <algorithm>
 #include <ostream>
+#include <utility>
 
-#include "compiler/compile.h"
 #include "compiler/print.h"
+#include "runtime/derive.h"
 #include "runtime/environment.h"
 
 namespace plsc::cli {
@@ -47,22 +48,53 @@ std::optional<NamedEnvironment> ReadOne(const Program& program,
   return NamedEnvironment{std::move(name), *environment};
 }
 
+std::optional<Source> Read(const std::string& path, Io& io) {
+  Result<Source> source = ReadSource(path, io);
+  if (source) return std::move(*source);
+  io.err << fmt::format("error[{}]: {}\n", source.diagnostics()[0].code,
+                        source.diagnostics()[0].message);
+  return std::nullopt;
+}
+
+CompileOptions Options(bool allow_range) {
+  CompileOptions options;
+  options.allow_out_of_range = allow_range;
+  return options;
+}
+
+template <typename T>
+std::optional<T> Checked(Result<T> result, const Source& source, Io& io) {
+  Report(result.diagnostics(), source, io);
+  if (!result) return std::nullopt;
+  return std::move(*result);
+}
+
 }  // namespace
 
 std::optional<Program> LoadProgram(const std::string& path, bool allow_range,
                                    Io& io) {
-  const Result<Source> source = ReadSource(path, io);
-  if (!source) {
-    io.err << fmt::format("error[{}]: {}\n", source.diagnostics()[0].code,
-                          source.diagnostics()[0].message);
-    return std::nullopt;
-  }
-  CompileOptions options;
-  options.allow_out_of_range = allow_range;
-  Result<Program> program = Compile(*source, options);
-  Report(program.diagnostics(), *source, io);
-  if (!program) return std::nullopt;
-  return *program;
+  const std::optional<Source> source = Read(path, io);
+  if (!source) return std::nullopt;
+  return Checked(Compile(*source, Options(allow_range)), *source, io);
+}
+
+std::optional<LoadedProgram> LoadWithMap(const std::string& path,
+                                         bool allow_range, Io& io) {
+  std::optional<Source> source = Read(path, io);
+  if (!source) return std::nullopt;
+  auto mapped =
+      Checked(CompileWithMap(*source, Options(allow_range)), *source, io);
+  if (!mapped) return std::nullopt;
+  return LoadedProgram{std::move(*source), std::move(*mapped)};
+}
+
+void ReportGrowth(const Genotype& genotype, const NamedEnvironment& named,
+                  Io& io) {
+  io.err << fmt::format(
+      "error[P4001]: in {}, development would produce more than {} symbols\n"
+      "  = help: lower 'iterations' (now {}), or let rules replace themselves "
+      "by fewer modules\n",
+      named.name, kMaxStringLength, genotype.development.iterations);
 }
 
 std::optional<std::vector<NamedEnvironment>> ChooseEnvironments(

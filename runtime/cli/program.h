@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "compiler/program.h"
+#include "compiler/compile.h"
 #include "runtime/cli/io.h"
 
 namespace plsc::cli {
@@ -14,6 +14,19 @@ namespace plsc::cli {
 /// Reads and compiles; prints what is wrong (and warnings) to io.err.
 std::optional<Program> LoadProgram(const std::string& path, bool allow_range,
                                    Io& io);
+
+struct LoadedProgram {
+  Source source;
+  MappedProgram mapped;
+};
+
+/// The same, with the text and where in it each part was written.
+std::optional<LoadedProgram> LoadWithMap(const std::string& path,
+                                         bool allow_range, Io& io);
+
+/// Says that development would outgrow its limit in that environment.
+void ReportGrowth(const Genotype& genotype, const NamedEnvironment& named,
+                  Io& io);
 
 /// The environments that a command line means: each `text` is a name that the
 /// file declares, or "state=value,...". Without any: all that the file

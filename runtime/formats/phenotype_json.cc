@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "runtime/formats/descriptors_json.h"
+#include "runtime/formats/environment_json.h"
 #include "runtime/regulate.h"
 
 namespace plsc {
@@ -30,18 +31,6 @@ Json SymbolJson(const Genotype& genotype, const Occurrence& occurrence) {
           Number(symbol.arguments[i], info.parameters[i].is_integer));
   }
   return Json::array({info.name, std::move(arguments)});
-}
-
-Json StateJson(const State& state, double value) {
-  switch (state.type) {
-    case StateType::kBool:
-      return value != 0;
-    case StateType::kReal:
-      return value;
-    case StateType::kEnum:
-      return state.values[static_cast<std::size_t>(value)];
-  }
-  return nullptr;
 }
 
 const char* FacingName(Facing facing) {
@@ -112,11 +101,7 @@ std::string DevelopmentJson(const Genotype& genotype,
                             const Phenotype* phenotype) {
   Json json;
   json["genotype"] = genotype.name;
-  Json senses = Json::object();
-  for (std::size_t i = 0; i < genotype.states.size(); ++i)
-    senses[genotype.states[i].name] =
-        StateJson(genotype.states[i], environment.values[i]);
-  json["environment"] = std::move(senses);
+  json["environment"] = EnvironmentJson(environment, genotype.states);
   Json active = Json::array();
   for (const RuleIndex rule : Regulate(genotype, environment).rules)
     active.push_back(rule + 1);

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
-"""Runs everything that README.md shows: the genotype is checked, and each
-`$ command` of a console block is run in one folder and its output compared.
+"""Runs everything that README.md and docs/development.md show: each document's
+genotype is a file, and each `$ command` of a console block is run in one folder
+and its output compared.
 `...` in the shown output stands for anything, also at the end of a line.
 
 usage: readme_test.py PLSC REPOSITORY
@@ -47,14 +48,17 @@ def matches(expected, actual):
 def main():
     plsc, repository = map(pathlib.Path, sys.argv[1:])
     readme = (repository / "README.md").read_text()
+    development = (repository / "docs/development.md").read_text()
     failures = 0
     with tempfile.TemporaryDirectory() as folder:
         work = pathlib.Path(folder)
         (work / "shy.pls").write_text(blocks(readme, "pls")[0])
+        (work / "worked.pls").write_text(blocks(development, "pls")[0])
         (work / "tiny.yaml").write_text(TINY)
         (work / "examples").symlink_to(repository / "examples")
         env = dict(os.environ, PATH=f"{plsc.parent}:{os.environ['PATH']}")
-        shown = [c for block in blocks(readme, "console") for c in commands(block)]
+        shown = [c for text in (readme, development)
+                 for block in blocks(text, "console") for c in commands(block)]
         for command, expected in shown:
             ran = subprocess.run(command, shell=True, cwd=work, env=env, text=True,
                                  stdout=subprocess.PIPE, stderr=subprocess.STDOUT)

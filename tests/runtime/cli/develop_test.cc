@@ -94,6 +94,42 @@ TEST_CASE("develop prints the paper's didactic derivation", "[develop]") {
                      "Iteration 3: X Y Z a X Z a\n") != std::string::npos);
 }
 
+TEST_CASE("develop tells the whole story with --trace", "[develop]") {
+  const auto text =
+      RunPlsc({"develop", "-", "--env", "flat", "--trace"}, kPlasticText);
+  REQUIRE(text.exit == 0);
+  CHECK(text.out.find("\u2502 B 2 \u2502") != std::string::npos);
+  CHECK(text.out.find("  not active rule 2 of C (if inclined = True), "
+                      "<stdin>:") != std::string::npos);
+  CHECK(text.out.find("  Iteration 0: C\n") != std::string::npos);
+  CHECK(text.out.find("mounted as module 2 (B) at the front of module 1 (C) "
+                      "by add_front (symbol 2)\n") != std::string::npos);
+
+  const auto ran =
+      RunPlsc({"develop", "-", "--env", "flat", "--trace", "--format", "json"},
+              kPlasticText);
+  REQUIRE(ran.exit == 0);
+  json robot = json::parse(ran.out);
+  CHECK(robot["trace"]["regulation"][1]["active"] == false);
+  CHECK(robot["trace"]["derivation"]["steps"][0] == json{1});
+  CHECK(robot["trace"]["events"].size() == robot["early"].size());
+  // Without it the same object is printed, but for the trace.
+  robot.erase("trace");
+  const auto plain = RunPlsc(
+      {"develop", "-", "--env", "flat", "--format", "json"}, kPlasticText);
+  CHECK(json::parse(plain.out) == robot);
+}
+
+TEST_CASE("develop traces grammars without bodies", "[develop]") {
+  const auto ran = RunPlsc(
+      {"develop", "--trace", test::InRepository("examples/didactic.pls")});
+  REQUIRE(ran.exit == 0);
+  CHECK(ran.out.find("  active     rule 1 of X (always), ") !=
+        std::string::npos);
+  CHECK(ran.out.find("  Iteration 3: X Y Z a X Z a\n") != std::string::npos);
+  CHECK(ran.out.find("\nIteration 3") == std::string::npos);
+}
+
 TEST_CASE("develop draws a body a file", "[develop]") {
   const test::TemporaryFolder folder;
   const auto ran =

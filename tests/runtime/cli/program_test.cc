@@ -36,5 +36,20 @@ TEST_CASE("environments are chosen by name, by value, or all", "[program]") {
   CHECK(Chosen(baseline, {}) == Names{"any"});
 }
 
+TEST_CASE("a program is loaded with its text and its places", "[program]") {
+  std::istringstream in(test::kPlasticText);
+  std::ostringstream out;
+  std::ostringstream err;
+  cli::Io io{in, out, err};
+  const auto loaded = cli::LoadWithMap("-", false, io);
+  REQUIRE(loaded);
+  CHECK(loaded->source.name() == "<stdin>");
+  CHECK(loaded->mapped.program == test::CompileText(test::kPlasticText));
+  REQUIRE(loaded->mapped.map.rules.size() == 2);
+  CHECK(loaded->source.text()[loaded->mapped.map.rules[0].head.begin] == 'C');
+  CHECK_FALSE(cli::LoadWithMap("/none.pls", false, io));
+  CHECK(err.str().find("P5014") != std::string::npos);
+}
+
 }  // namespace
 }  // namespace plsc
