@@ -64,6 +64,16 @@ struct RandomCommand {
   std::string output;  ///< empty: standard output
 };
 
+enum class TestFormat : std::uint8_t { kText, kJson, kJunit };
+
+struct TestCommand {
+  std::vector<std::string> paths;
+  bool update = false;
+  std::optional<int> jobs;
+  TestFormat format = TestFormat::kText;
+  std::string output;  ///< empty: standard output
+};
+
 /// What the command line already answered: help, version, or a usage error.
 struct Answer {
   Exit exit = Exit::kFine;
@@ -71,8 +81,9 @@ struct Answer {
   std::string err;
 };
 
-using Command = std::variant<Answer, CheckCommand, FmtCommand, DevelopCommand,
-                             SimulateCommand, EvolveCommand, RandomCommand>;
+using Command =
+    std::variant<Answer, CheckCommand, FmtCommand, DevelopCommand,
+                 SimulateCommand, EvolveCommand, RandomCommand, TestCommand>;
 
 /// `arguments` without the program's name.
 Command ParseArguments(const std::vector<std::string>& arguments);
@@ -84,6 +95,7 @@ Exit Run(const DevelopCommand& command, Io& io);
 Exit Run(const SimulateCommand& command, Io& io);
 Exit Run(const EvolveCommand& command, Io& io);
 Exit Run(const RandomCommand& command, Io& io);
+Exit Run(const TestCommand& command, Io& io);
 
 /// The whole program, as tests call it.
 Exit Main(const std::vector<std::string>& arguments, Io& io);

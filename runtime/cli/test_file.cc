@@ -217,9 +217,7 @@ TestOutcome TestFile(const TestPaths& paths, bool update) {
     if (golden.cases.empty())
       return OneProblem(paths, Verdict::kError, NoEnvironment(paths));
   }
-  TestOutcome outcome = TestAll(paths, *program, std::move(golden), update);
-  outcome.is_new = !has_golden;
-  return outcome;
+  return TestAll(paths, *program, std::move(golden), update);
 }
 
 }  // namespace plsc::cli

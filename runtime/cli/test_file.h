@@ -16,7 +16,6 @@ struct TestOutcome {
   /// With `update`, the text that the golden file should have, when it is not
   /// what it has. The cases then say kUpdated where something changes.
   std::optional<std::string> new_golden;
-  bool is_new = false;  ///< there is no golden file yet
 };
 
 /// With `update`, a file with a case of kError is left as it is: what cannot

@@ -48,8 +48,8 @@ class Finder {
     std::set<std::string> paths;
     Collect(folder, paths);
     if (paths.empty())
-      found_.problems.push_back(fmt::format("no {} and no {} in folder '{}'",
-                                            kGenotypeEnd, kGoldenEnd, folder));
+      Fail(folder, fmt::format("no {} and no {} in this folder", kGenotypeEnd,
+                               kGoldenEnd));
     for (const std::string& path : paths) Add(path);
   }
 
@@ -69,9 +69,13 @@ class Finder {
         Note(*it, paths);
       it.increment(error);
     }
-    if (error)
-      found_.problems.push_back(fmt::format("cannot read folder '{}': {}",
-                                            folder.string(), error.message()));
+    if (error) Fail(folder.string(), "cannot read: " + error.message());
+  }
+
+  void Fail(const std::string& folder, const std::string& message) {
+    found_.problems.push_back(
+        {{folder, ""},
+         {{"", Verdict::kError, {}, "error: " + message + "\n"}}});
   }
 
   void Note(const fs::directory_entry& entry, std::set<std::string>& paths) {

@@ -11,8 +11,8 @@
 namespace plsc::cli {
 
 struct FoundTests {
-  std::vector<TestPaths> tests;       ///< each once, those of a folder sorted
-  std::vector<std::string> problems;  ///< "cannot read folder 'x': ..."
+  std::vector<TestPaths> tests;      ///< each once, those of a folder sorted
+  std::vector<TestedFile> problems;  ///< folders, each with one error
 };
 
 /// Folders are searched with all below them, but for hidden ones (.git) and

@@ -4,6 +4,8 @@
 #include <string_view>
 #include <utility>
 
+#include "compiler/print.h"
+
 namespace plsc {
 
 namespace {
@@ -90,7 +92,7 @@ class Block {
   void AddValues(std::string_view key, const GoldenValues& values) {
     std::vector<std::string> lines;
     for (const auto& [name, value] : values)
-      lines.push_back(Json(name).dump() + ": " + Json(value).dump());
+      lines.push_back(Json(name).dump() + ": " + PrintNumber(value));
     AddLines(key, lines, '{', '}');
   }
   const std::string& text() const { return text_; }

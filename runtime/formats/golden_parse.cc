@@ -226,19 +226,24 @@ Golden ReadGolden(JsonReader& reader, const JsonValue& root) {
   return golden;
 }
 
-Diagnostic NotJson(const Json::parse_error& error, std::size_t size) {
+// `byte` counts from 1; 0 where the library does not know.
+Diagnostic NotJson(const Json::exception& error, std::size_t byte,
+                   std::size_t size) {
   Diagnostic diagnostic;
   diagnostic.code = "P5109";
-  // The library counts bytes from 1.
-  const auto at = static_cast<std::uint32_t>(
-      std::min(error.byte == 0 ? 0 : error.byte - 1, size));
+  const auto at =
+      static_cast<std::uint32_t>(std::min(byte == 0 ? 0 : byte - 1, size));
   diagnostic.span = {at, at};
-  // "[json...] parse error at line 1, column 2: syntax error ..."
-  const std::string_view what = error.what();
-  const std::size_t begin = what.find(": ");
-  diagnostic.message = fmt::format(
-      "not JSON: {}",
-      begin == std::string_view::npos ? what : what.substr(begin + 2));
+  // "[json.exception.parse_error.101] parse error at line 1, column 2: syntax
+  // error while ...": the place is shown by the caret.
+  std::string_view what = error.what();
+  for (const std::string_view mark : {"] ", "column "})
+    if (const std::size_t i = what.find(mark); i != std::string_view::npos)
+      what.remove_prefix(i + mark.size());
+  const std::size_t number = what.find_first_not_of("0123456789");
+  if (number > 0 && what.substr(number).starts_with(": "))
+    what.remove_prefix(number + 2);
+  diagnostic.message = fmt::format("not JSON: {}", what);
   return diagnostic;
 }
 
@@ -254,12 +259,9 @@ Result<Golden> ParseGolden(const Source& source) {
   try {
     json = Json::parse(source.text());
   } catch (const Json::parse_error& error) {
-    return NotJson(error, source.text().size());
+    return NotJson(error, error.byte, source.text().size());
   } catch (const Json::exception& error) {  // a number beyond all doubles
-    Diagnostic diagnostic;
-    diagnostic.code = "P5109";
-    diagnostic.message = fmt::format("not JSON: {}", error.what());
-    return diagnostic;
+    return NotJson(error, 0, source.text().size());
   }
   if (const auto repeated = RepeatedJsonKey(source.text())) {
     Diagnostic diagnostic;

@@ -66,40 +66,61 @@ class Scanner {
   std::string_view text_;
 };
 
-// The value of `step` in the object or array that begins at `i`.
-std::optional<std::size_t> Enter(const Scanner& scanner, std::size_t i,
-                                 const std::string& step) {
+struct Entry {
+  std::size_t key = 0;  // of an element of an array: the value
+  std::size_t value = 0;
+};
+
+// What `step` names in the object or array that begins at `i`.
+std::optional<Entry> Enter(const Scanner& scanner, std::size_t i,
+                           const std::string& step) {
   const bool is_object = scanner.At(i) == '{';
   if (!is_object && scanner.At(i) != '[') return std::nullopt;
   const std::string quoted = '"' + step + '"';
   i = scanner.SkipFill(i + 1);
   for (std::size_t index = 0; !scanner.IsEnd(i); ++index) {
     if (scanner.At(i) == '}' || scanner.At(i) == ']') return std::nullopt;
+    const std::size_t key = i;
     bool is_wanted = !is_object && std::to_string(index) == step;
     if (is_object) {
       const std::size_t end = scanner.SkipString(i);
       is_wanted = scanner.Between(i, end) == quoted;
       i = scanner.SkipFill(end);
     }
-    if (is_wanted) return i;
+    if (is_wanted) return Entry{key, i};
     i = scanner.SkipFill(scanner.SkipValue(i));
   }
   return std::nullopt;
+}
+
+Entry Follow(const Scanner& scanner, const std::vector<std::string>& path) {
+  Entry entry;
+  entry.key = entry.value = scanner.SkipFill(0);
+  for (const std::string& step : path) {
+    const auto inside = Enter(scanner, entry.value, step);
+    if (!inside) break;
+    entry = *inside;
+  }
+  return entry;
+}
+
+// Of a whole object or array the bracket is enough to point at.
+Span SpanOf(const Scanner& scanner, std::size_t i) {
+  if (scanner.At(i) == '{' || scanner.At(i) == '[') return MakeSpan(i, i + 1);
+  return MakeSpan(i, scanner.SkipValue(i));
 }
 
 }  // namespace
 
 Span JsonPlaceOf(std::string_view text, const std::vector<std::string>& path) {
   const Scanner scanner(text);
-  std::size_t i = scanner.SkipFill(0);
-  for (const std::string& step : path) {
-    const auto inside = Enter(scanner, i, step);
-    if (!inside) break;
-    i = *inside;
-  }
-  // Of a whole object the bracket is enough to point at.
-  if (scanner.At(i) == '{' || scanner.At(i) == '[') return MakeSpan(i, i + 1);
-  return MakeSpan(i, scanner.SkipValue(i));
+  return SpanOf(scanner, Follow(scanner, path).value);
+}
+
+Span JsonKeyPlaceOf(std::string_view text,
+                    const std::vector<std::string>& path) {
+  const Scanner scanner(text);
+  return SpanOf(scanner, Follow(scanner, path).key);
 }
 
 std::optional<Span> RepeatedJsonKey(std::string_view text) {

@@ -16,6 +16,9 @@ namespace plsc {
 /// decimal numbers. `text` is correct JSON; a path that leads nowhere ends at
 /// the last value that is there.
 Span JsonPlaceOf(std::string_view text, const std::vector<std::string>& path);
+/// The key that the path ends in; of an element of an array its value.
+Span JsonKeyPlaceOf(std::string_view text,
+                    const std::vector<std::string>& path);
 
 /// The first key that its object has already, of any text.
 std::optional<Span> RepeatedJsonKey(std::string_view text);

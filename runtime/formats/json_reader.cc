@@ -5,13 +5,15 @@
 #include <algorithm>
 #include <cmath>
 
-#include "compiler/limits.h"
 #include "grammar/suggest.h"
 #include "runtime/formats/json_place.h"
 
 namespace plsc {
 
 namespace {
+
+// As many as a rendering shows; each is looked for from the file's beginning.
+constexpr std::size_t kMaxErrors = 20;
 
 // How many characters of a wrong value a message shows.
 constexpr std::size_t kShownCharacters = 40;
@@ -33,14 +35,27 @@ std::string Shown(const nlohmann::json& json) {
   return text;
 }
 
+// " for 'weight'", " in 'active_rules'".
+std::string Where(const JsonValue& value) {
+  if (value.parent == nullptr) return "";
+  if (!value.parent->json.is_array()) return " for '" + value.step + "'";
+  return " in '" + value.parent->step + "'";
+}
+
 }  // namespace
 
 void JsonReader::Error(const JsonValue& at, std::string_view code,
                        std::string message, std::string help) {
-  if (errors_.size() >= kMaxReported) return;
+  Add(JsonPlaceOf(source_.text(), PathOf(at)), code, std::move(message),
+      std::move(help));
+}
+
+void JsonReader::Add(Span span, std::string_view code, std::string message,
+                     std::string help) {
+  if (errors_.size() >= kMaxErrors) return;
   Diagnostic diagnostic;
   diagnostic.code = code;
-  diagnostic.span = JsonPlaceOf(source_.text(), PathOf(at));
+  diagnostic.span = span;
   diagnostic.message = std::move(message);
   diagnostic.help = std::move(help);
   errors_.push_back(std::move(diagnostic));
@@ -48,8 +63,7 @@ void JsonReader::Error(const JsonValue& at, std::string_view code,
 
 void JsonReader::Wrong(const JsonValue& value, std::string_view expected) {
   Error(value, "P5103",
-        fmt::format("expected {}{}, found {}", expected,
-                    value.step.empty() ? "" : " for '" + value.step + "'",
+        fmt::format("expected {}{}, found {}", expected, Where(value),
                     Shown(value.json)));
 }
 
@@ -62,10 +76,11 @@ bool JsonReader::IsObject(const JsonValue& value,
   for (const auto& [key, member] : value.json.items()) {
     if (std::find(known.begin(), known.end(), key) != known.end()) continue;
     const auto nearest = Suggest(key, known);
-    Error(JsonValue{member, &value, key}, "P5101",
-          fmt::format("unknown key '{}'", key),
-          nearest ? fmt::format("did you mean '{}'?", *nearest)
-                  : fmt::format("known here: {}", fmt::join(known, ", ")));
+    const JsonValue at{member, &value, key};
+    Add(JsonKeyPlaceOf(source_.text(), PathOf(at)), "P5101",
+        fmt::format("unknown key '{}'", key),
+        nearest ? fmt::format("did you mean '{}'?", *nearest)
+                : fmt::format("known here: {}", fmt::join(known, ", ")));
   }
   return true;
 }

@@ -61,6 +61,9 @@ class JsonReader {
   void Wrong(const JsonValue& value, std::string_view expected);
 
  private:
+  void Add(Span span, std::string_view code, std::string message,
+           std::string help);
+
   const Source& source_;
   std::vector<Diagnostic> errors_;
 };
