@@ -67,7 +67,9 @@ std::string CaseXml(const TestedFile& tested, const TestCase& test) {
       return open + "/>\n";
     case Verdict::kDiffers:
       return with("failure",
-                  fmt::format("{} differences from {}", test.differences.size(),
+                  fmt::format("{} {} from {}", test.differences.size(),
+                              test.differences.size() == 1 ? "difference"
+                                                           : "differences",
                               tested.paths.golden),
                   DifferenceLines(test));
     case Verdict::kUnrecorded:

@@ -47,8 +47,7 @@ std::string CaseText(const TestPaths& paths, const TestCase& test) {
   for (std::size_t i = 0; i < shown; ++i)
     text += "  " + Describe(test.differences[i]) + "\n";
   if (shown < test.differences.size())
-    text += fmt::format("  and {} more differences\n",
-                        test.differences.size() - shown);
+    text += fmt::format("  and {} more\n", test.differences.size() - shown);
   return text;
 }
 
@@ -99,10 +98,14 @@ std::string TestSummary(const TestTotals& totals) {
                   totals.tests == 1 ? "test" : "tests", totals.files,
                   totals.files == 1 ? "file" : "files", totals.same);
   if (totals.updated > 0) text += fmt::format(", {} updated", totals.updated);
-  if (totals.differ > 0) text += fmt::format(", {} differ", totals.differ);
+  if (totals.differ > 0)
+    text += fmt::format(", {} differ{}", totals.differ,
+                        totals.differ == 1 ? "s" : "");
   if (totals.unrecorded > 0)
     text += fmt::format(", {} not recorded", totals.unrecorded);
-  if (totals.errors > 0) text += fmt::format(", {} errors", totals.errors);
+  if (totals.errors > 0)
+    text += fmt::format(", {} error{}", totals.errors,
+                        totals.errors == 1 ? "" : "s");
   text += "\n";
   if (totals.differ + totals.unrecorded > 0)
     text += "`plsc test --update` records what was found as expected\n";
