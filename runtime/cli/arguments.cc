@@ -304,6 +304,42 @@ CLI::App* AddWhy(CLI::App& app, WhyCommand& command) {
   return sub;
 }
 
+CLI::App* AddTest(CLI::App& app, TestCommand& command) {
+  CLI::App* sub = app.add_subcommand(
+      "test", "Compare robots with what their golden files expect");
+  sub->add_option("PATH", command.paths,
+                  "genotype files, golden files, or folders of them")
+      ->required();
+  sub->add_flag("--update", command.update,
+                "record what was found as expected, where that differs");
+  sub->add_option("--jobs", command.jobs,
+                  "threads (default: one a core); changes no result")
+      ->check(CLI::Range(1, 1024))
+      ->option_text("N");
+  sub->add_option("--format", command.format,
+                  "text for people (default); json: a test a line; junit: XML "
+                  "for CI")
+      ->transform(CLI::CheckedTransformer(
+          std::map<std::string, TestFormat>{{"text", TestFormat::kText},
+                                            {"json", TestFormat::kJson},
+                                            {"junit", TestFormat::kJunit}}))
+      ->type_name("text|json|junit")
+      ->option_text("text|json|junit");
+  sub->add_option("-o,--output", command.output,
+                  "write the report there, and text to standard output")
+      ->option_text("FILE");
+  sub->footer(
+      "Develops every genotype robot.pls in the environments that "
+      "robot.golden.json\nbeside it names, and shows modules, nodes, edges, "
+      "symbols and descriptors that\nare not as recorded. --update makes or "
+      "rewrites golden files; git shows what\nchanged. Exit status 1 if a "
+      "robot differs or has no golden file.\n\n"
+      "  plsc test robots/ --update\n"
+      "  plsc test robots/\n"
+      "  plsc test robots/ --format junit --output report.xml");
+  return sub;
+}
+
 // The command that the user typed, or the whole program.
 const CLI::App& Chosen(const CLI::App& app) {
   const auto chosen = app.get_subcommands();
@@ -379,6 +415,7 @@ Command ParseArguments(const std::vector<std::string>& arguments) {
   EvolveCommand evolve;
   RandomCommand random;
   WhyCommand why;
+  TestCommand test;
   const CLI::App* check_app = AddCheck(app, check);
   const CLI::App* explain_app = AddExplain(app, explain);
   const CLI::App* fix_app = AddFix(app, fix);
@@ -387,6 +424,7 @@ Command ParseArguments(const std::vector<std::string>& arguments) {
   const CLI::App* simulate_app = AddSimulate(app, simulate);
   const CLI::App* evolve_app = AddEvolve(app, evolve);
   const CLI::App* why_app = AddWhy(app, why);
+  const CLI::App* test_app = AddTest(app, test);
 
   AddRandom(app, random);
 
@@ -411,6 +449,7 @@ Command ParseArguments(const std::vector<std::string>& arguments) {
   if (simulate_app->parsed()) return simulate;
   if (evolve_app->parsed()) return evolve;
   if (why_app->parsed()) return why;
+  if (test_app->parsed()) return test;
   return random;
 }
 

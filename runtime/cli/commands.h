@@ -94,6 +94,16 @@ struct WhyCommand {
   bool allow_range = false;
 };
 
+enum class TestFormat : std::uint8_t { kText, kJson, kJunit };
+
+struct TestCommand {
+  std::vector<std::string> paths;
+  bool update = false;
+  std::optional<int> jobs;
+  TestFormat format = TestFormat::kText;
+  std::string output;  ///< empty: standard output
+};
+
 /// What the command line already answered: help, version, or a usage error.
 struct Answer {
   Exit exit = Exit::kFine;
@@ -104,7 +114,7 @@ struct Answer {
 using Command =
     std::variant<Answer, CheckCommand, DevelopCommand, EvolveCommand,
                  ExplainCommand, FixCommand, FmtCommand, RandomCommand,
-                 SimulateCommand, WhyCommand>;
+                 SimulateCommand, TestCommand, WhyCommand>;
 
 /// `arguments` without the program's name.
 Command ParseArguments(const std::vector<std::string>& arguments);
@@ -119,6 +129,7 @@ Exit Run(const SimulateCommand& command, Io& io);
 Exit Run(const EvolveCommand& command, Io& io);
 Exit Run(const RandomCommand& command, Io& io);
 Exit Run(const WhyCommand& command, Io& io);
+Exit Run(const TestCommand& command, Io& io);
 
 /// The whole program, as tests call it.
 Exit Main(const std::vector<std::string>& arguments, Io& io);

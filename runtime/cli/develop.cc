@@ -82,8 +82,7 @@ void PrintText(const Genotype& genotype, const NamedEnvironment& named,
   out << fmt::format(": {} of {} rules active, {} symbols\n",
                      developed.active.rules.size(), genotype.rules.size(),
                      developed.string.size());
-  if (developed.phenotype)
-    PrintBody(*developed.phenotype, out);
+  if (developed.phenotype) PrintBody(*developed.phenotype, out);
 }
 
 // "gecko-inclined_True.svg": a name that every file system takes.

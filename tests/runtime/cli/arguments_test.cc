@@ -12,7 +12,7 @@ TEST_CASE("every command explains itself", "[arguments]") {
   const auto overview = RunPlsc({"--help"});
   CHECK(overview.exit == 0);
   for (const char* command :
-       {"check", "fmt", "develop", "simulate", "evolve", "random"}) {
+       {"check", "fmt", "develop", "simulate", "evolve", "random", "test"}) {
     INFO(command);
     CHECK(overview.out.find(command) != std::string::npos);
     const auto help = RunPlsc({command, "--help"});
@@ -54,6 +54,8 @@ TEST_CASE("a wrong command line is a usage error and does nothing",
        {"evolve", "e.yaml", "-o", "x", "--jobs", "0"},
        "--jobs"},
       {"no output", {"evolve", "e.yaml"}, "--output"},
+      {"unknown test format", {"test", "a", "--format", "xml"}, "--format"},
+      {"no jobs", {"test", "a", "--jobs", "0"}, "--jobs"},
       {"unknown encoding",
        {"random", "--seed", "1", "--encoding", "cppn"},
        "--encoding"},

@@ -1,0 +1,128 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <ostream>
+#include <thread>
+
+#include "runtime/cli/commands.h"
+#include "runtime/cli/test_file.h"
+#include "runtime/cli/test_files.h"
+#include "runtime/cli/test_junit.h"
+#include "runtime/cli/test_report.h"
+
+namespace plsc::cli {
+
+namespace {
+
+// Genotypes whose results are held at a time: enough to keep all cores busy
+// between two barriers, and a hundred thousand genotypes fit into memory.
+constexpr std::size_t kBatch = 512;
+
+// Tests [begin, begin + n) on `jobs` threads; results in order.
+std::vector<TestOutcome> RunBatch(const std::vector<TestPaths>& tests,
+                                  std::size_t begin, std::size_t jobs,
+                                  bool update) {
+  std::vector<TestOutcome> outcomes(std::min(kBatch, tests.size() - begin));
+  std::atomic<std::size_t> next{0};
+  const auto work = [&] {
+    for (std::size_t i = next++; i < outcomes.size(); i = next++)
+      outcomes[i] = TestFile(tests[begin + i], update);
+  };
+  std::vector<std::jthread> threads;
+  for (std::size_t i = 1; i < std::min(jobs, outcomes.size()); ++i)
+    threads.emplace_back(work);
+  work();
+  threads.clear();  // joins
+  return outcomes;
+}
+
+// Writes the golden file; a failure becomes the result of its tests.
+void WriteGolden(TestOutcome& outcome) {
+  if (!outcome.new_golden) return;
+  TestedFile& tested = outcome.tested;
+  const auto failure = WriteFile(tested.paths.golden, *outcome.new_golden);
+  if (!failure) return;
+  tested.cases = {{"",
+                   Verdict::kError,
+                   {},
+                   fmt::format("error: cannot write '{}': {}\n",
+                               tested.paths.golden, *failure)}};
+}
+
+// Collects what is told while the tests run.
+class Teller {
+ public:
+  Teller(const TestCommand& command, Io& io) : command_(command), io_(io) {}
+
+  void Tell(const TestedFile& tested) {
+    Count(tested, totals_);
+    const bool to_file = !command_.output.empty();
+    const std::string text = TestText(tested);
+    if (to_file || command_.format == TestFormat::kText) io_.out << text;
+    if (command_.format == TestFormat::kJunit)
+      report_ += JunitSuite(tested);
+    else if (command_.format == TestFormat::kJson && !to_file)
+      io_.out << TestJson(tested);
+    else if (command_.format == TestFormat::kJson)
+      report_ += TestJson(tested);
+    else if (to_file)
+      report_ += text;
+  }
+
+  Exit Finish() {
+    const bool to_file = !command_.output.empty();
+    const std::string summary = TestSummary(totals_);
+    if (command_.format == TestFormat::kJunit)
+      report_ = JunitDocument(totals_, report_);
+    if (command_.format == TestFormat::kText) report_ += summary;
+    if (to_file || command_.format == TestFormat::kText)
+      io_.out << summary;
+    else
+      io_.out << report_;
+    bool is_fine = !totals_.has_failures();
+    if (to_file) {
+      const auto failure = WriteFile(command_.output, report_);
+      if (failure)
+        io_.err << fmt::format("error: cannot write '{}': {}\n",
+                               command_.output, *failure);
+      is_fine = is_fine && !failure;
+    }
+    return is_fine ? Exit::kFine : Exit::kBadInput;
+  }
+
+ private:
+  const TestCommand& command_;
+  Io& io_;
+  TestTotals totals_;
+  std::string report_;
+};
+
+std::size_t JobsOf(const TestCommand& command) {
+  if (command.jobs) return static_cast<std::size_t>(*command.jobs);
+  return std::max(1U, std::thread::hardware_concurrency());
+}
+
+}  // namespace
+
+Exit Run(const TestCommand& command, Io& io) {
+  if (std::find(command.paths.begin(), command.paths.end(), "-") !=
+      command.paths.end()) {
+    io.err << "plsc: standard input has no golden file beside it; name a file "
+              "or a folder\n";
+    return Exit::kBadUsage;
+  }
+  const FoundTests found = FindTests(command.paths);
+  Teller teller(command, io);
+  for (const TestedFile& problem : found.problems) teller.Tell(problem);
+  const std::size_t jobs = JobsOf(command);
+  for (std::size_t i = 0; i < found.tests.size(); i += kBatch)
+    for (TestOutcome& outcome :
+         RunBatch(found.tests, i, jobs, command.update)) {
+      WriteGolden(outcome);
+      teller.Tell(outcome.tested);
+    }
+  return teller.Finish();
+}
+
+}  // namespace plsc::cli

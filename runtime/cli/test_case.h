@@ -1,0 +1,48 @@
+#pragma once
+
+// One golden test: a genotype in one environment, or what is wrong with the
+// file as a whole; and what came out. Made by test_file, shown by test_report.
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "runtime/golden_compare.h"
+
+namespace plsc::cli {
+
+/// A genotype and the golden file that stands beside it; either may be
+/// missing.
+struct TestPaths {
+  std::string genotype;
+  std::string golden;
+
+  friend bool operator==(const TestPaths&, const TestPaths&) = default;
+};
+
+enum class Verdict : std::uint8_t {
+  kSame,
+  kDiffers,     ///< `differences` says how
+  kUnrecorded,  ///< there is no expectation; `message` says where it lacks
+  kError,       ///< nothing to compare; `message` says why
+  kUpdated,     ///< --update: the golden file has changed
+};
+
+struct TestCase {
+  std::string environment;  ///< empty: the file as a whole
+  Verdict verdict = Verdict::kSame;
+  std::vector<Difference> differences;
+  std::string message;  ///< lines with their ends
+
+  bool is_failure() const {
+    return verdict != Verdict::kSame && verdict != Verdict::kUpdated;
+  }
+};
+
+/// All tests of one genotype, at least one.
+struct TestedFile {
+  TestPaths paths;
+  std::vector<TestCase> cases;
+};
+
+}  // namespace plsc::cli

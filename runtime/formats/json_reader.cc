@@ -1,0 +1,146 @@
+#include "runtime/formats/json_reader.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "grammar/suggest.h"
+#include "runtime/formats/json_place.h"
+
+namespace plsc {
+
+namespace {
+
+// As many as a rendering shows; each is looked for from the file's beginning.
+constexpr std::size_t kMaxErrors = 20;
+
+// How many characters of a wrong value a message shows.
+constexpr std::size_t kShownCharacters = 40;
+
+std::vector<std::string> PathOf(const JsonValue& value) {
+  std::vector<std::string> path;
+  for (const JsonValue* at = &value; at->parent != nullptr; at = at->parent)
+    path.push_back(at->step);
+  std::reverse(path.begin(), path.end());
+  return path;
+}
+
+std::string Shown(const nlohmann::json& json) {
+  if (json.is_object()) return "an object";
+  if (json.is_array()) return "a list";
+  std::string text = json.dump(-1, ' ', true);  // ASCII, so it may be cut
+  if (text.size() > kShownCharacters)
+    text = text.substr(0, kShownCharacters) + "...";
+  return text;
+}
+
+// " for 'weight'", " in 'active_rules'".
+std::string Where(const JsonValue& value) {
+  if (value.parent == nullptr) return "";
+  if (!value.parent->json.is_array()) return " for '" + value.step + "'";
+  return " in '" + value.parent->step + "'";
+}
+
+}  // namespace
+
+void JsonReader::Error(const JsonValue& at, std::string_view code,
+                       std::string message, std::string help) {
+  Add(JsonPlaceOf(source_.text(), PathOf(at)), code, std::move(message),
+      std::move(help));
+}
+
+void JsonReader::Add(Span span, std::string_view code, std::string message,
+                     std::string help) {
+  if (errors_.size() >= kMaxErrors) return;
+  Diagnostic diagnostic;
+  diagnostic.code = code;
+  diagnostic.span = span;
+  diagnostic.message = std::move(message);
+  diagnostic.help = std::move(help);
+  errors_.push_back(std::move(diagnostic));
+}
+
+void JsonReader::Wrong(const JsonValue& value, std::string_view expected) {
+  Error(value, "P5103",
+        fmt::format("expected {}{}, found {}", expected, Where(value),
+                    Shown(value.json)));
+}
+
+bool JsonReader::IsObject(const JsonValue& value,
+                          std::span<const std::string_view> known) {
+  if (!value.json.is_object()) {
+    Wrong(value, "an object");
+    return false;
+  }
+  for (const auto& [key, member] : value.json.items()) {
+    if (std::find(known.begin(), known.end(), key) != known.end()) continue;
+    const auto nearest = Suggest(key, known);
+    const JsonValue at{member, &value, key};
+    Add(JsonKeyPlaceOf(source_.text(), PathOf(at)), "P5101",
+        fmt::format("unknown key '{}'", key),
+        nearest ? fmt::format("did you mean '{}'?", *nearest)
+                : fmt::format("known here: {}", fmt::join(known, ", ")));
+  }
+  return true;
+}
+
+bool JsonReader::Has(const JsonValue& object, std::string_view key) const {
+  return object.json.contains(key);
+}
+
+const nlohmann::json* JsonReader::Member(const JsonValue& object,
+                                         std::string_view key) {
+  const auto found = object.json.find(key);
+  if (found != object.json.end()) return &*found;
+  Error(object, "P5106", fmt::format("the key '{}' is missing here", key));
+  return nullptr;
+}
+
+std::string JsonReader::Text(const JsonValue& value) {
+  if (value.json.is_string()) return value.json.get<std::string>();
+  Wrong(value, "a text");
+  return "";
+}
+
+double JsonReader::Number(const JsonValue& value) {
+  // Beyond the doubles nlohmann-json reads infinity.
+  if (value.json.is_number() && std::isfinite(value.json.get<double>()))
+    return value.json.get<double>();
+  Wrong(value, "a number");
+  return 0;
+}
+
+std::int64_t JsonReader::Integer(const JsonValue& value, std::int64_t low,
+                                 std::int64_t high) {
+  const bool is_huge =
+      value.json.is_number_unsigned() &&
+      value.json.get<std::uint64_t>() > static_cast<std::uint64_t>(high);
+  if (value.json.is_number_integer() && !is_huge) {
+    const auto number = value.json.get<std::int64_t>();
+    if (number >= low && number <= high) return number;
+  }
+  Wrong(value, fmt::format("a whole number in {}..{}", low, high));
+  return low;
+}
+
+std::string JsonReader::Text(const JsonValue& object, std::string_view key) {
+  const nlohmann::json* member = Member(object, key);
+  if (member == nullptr) return "";
+  return Text(JsonValue{*member, &object, std::string(key)});
+}
+
+double JsonReader::Number(const JsonValue& object, std::string_view key) {
+  const nlohmann::json* member = Member(object, key);
+  if (member == nullptr) return 0;
+  return Number(JsonValue{*member, &object, std::string(key)});
+}
+
+std::int64_t JsonReader::Integer(const JsonValue& object, std::string_view key,
+                                 std::int64_t low, std::int64_t high) {
+  const nlohmann::json* member = Member(object, key);
+  if (member == nullptr) return low;
+  return Integer(JsonValue{*member, &object, std::string(key)}, low, high);
+}
+
+}  // namespace plsc
