@@ -42,6 +42,8 @@ FileAndPlace Split(const std::string& text) {
   const std::optional<int> column = CutNumber(&file);
   const std::optional<int> line = column ? CutNumber(&file) : std::nullopt;
   if (!line || file.empty()) return {text, std::nullopt};
+  // As diagnostics name it; "-:12:5" would look like an option.
+  if (file == "<stdin>") file = "-";
   return {file, Position{*line, *column}};
 }
 

@@ -15,9 +15,9 @@ using Json = nlohmann::ordered_json;
 
 Json EdgesJson(const Brain& brain, const Event& event) {
   Json edges = Json::array();
-  for (int i = 0; i < std::max(event.edge_count, 1); ++i)
-    edges.push_back(
-        EdgeName(brain.connections[static_cast<std::size_t>(event.edge + i)]));
+  const int end = event.edge + std::max(event.edge_count, 1);
+  for (int i = event.edge; i < end; ++i)
+    edges.push_back(EdgeName(brain.connections[static_cast<std::size_t>(i)]));
   return edges;
 }
 

@@ -54,7 +54,7 @@ TEST_CASE("why goes from a part back to its places in the file", "[why]") {
 }
 
 TEST_CASE("why goes forward from a symbol in every environment", "[why]") {
-  const auto ran = RunPlsc({"why", "-:7:48"}, kWalker);
+  const auto ran = RunPlsc({"why", "<stdin>:7:48"}, kWalker);
   REQUIRE(ran.exit == 0);
   CHECK(ran.out ==
         "A2(0.5, 2, 3, 1) of rule 2 (B, if inclined = True)\n"
@@ -83,8 +83,8 @@ TEST_CASE("why answers as one object an environment", "[why]") {
   CHECK(tilted["origin"]["ancestry"][0]["place"]["line"] == 7);
   CHECK(tilted["origin"]["ancestry"][0]["clause"] == "inclined = True");
 
-  const auto symbol =
-      RunPlsc({"why", "-:8:13", "--env", "flat", "--format", "json"}, kWalker);
+  const auto symbol = RunPlsc(
+      {"why", "<stdin>:8:13", "--env", "flat", "--format", "json"}, kWalker);
   REQUIRE(symbol.exit == 0);
   const json forward = json::parse(symbol.out);
   CHECK(forward["genotype"] == "walker");
@@ -111,11 +111,14 @@ TEST_CASE("why explains a wrong question", "[why]") {
   };
   const std::vector<Row> rows = {
       {"nothing asked", {"-"}, 2, "ask for one of"},
-      {"two questions", {"-:6:13", "--module", "1"}, 2, "ask for one of"},
+      {"two questions", {"<stdin>:6:13", "--module", "1"}, 2, "ask for one of"},
       {"two parts", {"-", "--module", "1", "--node", "1"}, 2, "exclude"},
-      {"no symbol there", {"-:6:1"}, 2, "no symbol of a production is here"},
-      {"no such line", {"-:99:1"}, 2, "no line 99"},
-      {"no such environment", {"-:6:13", "--env", "x"}, 2, "flat tilted"},
+      {"no symbol there",
+       {"<stdin>:6:1"},
+       2,
+       "no symbol of a production is here"},
+      {"no such line", {"<stdin>:99:1"}, 2, "no line 99"},
+      {"no such environment", {"<stdin>:6:13", "--env", "x"}, 2, "flat tilted"},
       {"no such file", {"none.pls:6:13"}, 1, "cannot read 'none.pls'"},
       {"no place but a name", {"none.pls:x"}, 2, "ask for one of"},
   };
