@@ -1,13 +1,11 @@
 #include "grammar/codes.h"
 
-#include <array>
-
 namespace plsc {
 
 namespace {
 
 // P1199 and P5090 are left out: they tell of defects of plsc.
-constexpr std::array<CodeInfo, 48> kCodes = {{
+constexpr CodeInfo kCodes[] = {
     {"P1101", "something that is no item stands where an item should start"},
     {"P1102", "a name is missing, or is a reserved word"},
     {"P1103", "a state of a clause is not compared with anything"},
@@ -48,6 +46,7 @@ constexpr std::array<CodeInfo, 48> kCodes = {{
     {"P3002",
      "more rules, states, symbols, values or constants than plsc "
      "can hold"},
+    {"P4001", "a string that grows beyond what development may produce"},
     {"P5001", "the version line is missing or wrong"},
     {"P5002", "a file of a newer language"},
     {"P5003", "a version of an alphabet that this tool does not know"},
@@ -56,11 +55,20 @@ constexpr std::array<CodeInfo, 48> kCodes = {{
     {"P5013", "an empty file"},
     {"P5015", "a file that is too large"},
     {"P5016", "a file that is not a text"},
+    {"W1001", "a '# plsc:' comment that asks for what does not exist"},
     {"W3002", "a clause that is true, or false, in every environment"},
     {"W3003",
      "a symbol without an active rule in some environment (on "
      "request)"},
-}};
+    {"W3004",
+     "several rules of one symbol with clauses are active at once (on "
+     "request)"},
+    {"W3005", "clauses that tell apart too many environments to be checked"},
+    {"W4001", "a string that in some environment grows too long (on request)"},
+    {"W4002",
+     "a symbol that is expressed in no environment, or a rule that is used "
+     "in none (on request)"},
+};
 
 }  // namespace
 
