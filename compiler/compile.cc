@@ -36,9 +36,9 @@ void SortByPosition(Diagnostics* diagnostics) {
                    });
 }
 
-}  // namespace
-
-Result<Program> Compile(const Source& source, const CompileOptions& options) {
+// Fills `map` when there is one: most callers never look at places.
+Result<Program> CompileInto(const Source& source, const CompileOptions& options,
+                            SourceMap* map) {
   ParseResult parsed = Parse(source);
   Diagnostics diagnostics = std::move(parsed.diagnostics);
   const ast::File& file = parsed.file;
@@ -62,7 +62,23 @@ Result<Program> Compile(const Source& source, const CompileOptions& options) {
   SortByPosition(&diagnostics);
   Program program = Lower(file, scope, resolution);
   assert(options.allow_out_of_range || Verify(program).empty());
+  if (map != nullptr) *map = MapSource(file, resolution);
   return {std::move(program), std::move(diagnostics)};
+}
+
+}  // namespace
+
+Result<Program> Compile(const Source& source, const CompileOptions& options) {
+  return CompileInto(source, options, nullptr);
+}
+
+Result<MappedProgram> CompileWithMap(const Source& source,
+                                     const CompileOptions& options) {
+  SourceMap map;
+  Result<Program> program = CompileInto(source, options, &map);
+  if (!program) return program.diagnostics();
+  return {MappedProgram{std::move(*program), std::move(map)},
+          program.diagnostics()};
 }
 
 }  // namespace plsc

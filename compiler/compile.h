@@ -4,6 +4,7 @@
 // files, no clock, no randomness.
 
 #include "compiler/program.h"
+#include "compiler/source_map.h"
 #include "grammar/result.h"
 #include "grammar/source.h"
 
@@ -18,5 +19,14 @@ struct CompileOptions {
 /// its warnings.
 Result<Program> Compile(const Source& source,
                         const CompileOptions& options = {});
+
+struct MappedProgram {
+  Program program;
+  SourceMap map;
+};
+
+/// The same, and where in the text each part was written.
+Result<MappedProgram> CompileWithMap(const Source& source,
+                                     const CompileOptions& options = {});
 
 }  // namespace plsc

@@ -19,7 +19,7 @@ namespace {
 struct Group {
   std::string head;
   std::span<const Rule> rules;
-  std::span<const ast::Rule* const> written;
+  std::span<const RuleSpans> written;
 };
 
 // In which environments none, and in which several of the rules are active.
@@ -60,7 +60,7 @@ std::optional<Diagnostic> GapWarning(const Group& group, const TruthTable& none,
   const std::optional<int> first = none.First();
   if (!first) return std::nullopt;
   Diagnostic warning =
-      Warn("W3003", group.written[0]->head,
+      Warn("W3003", group.written[0].head,
            fmt::format("no rule for '{}' is active when {}", group.head,
                        space.Describe(*first, states)));
   warning.label = fmt::format("{} stays as it is in {} of {} environments",
@@ -78,7 +78,7 @@ std::optional<Diagnostic> JoinWarning(const Group& group,
   std::vector<Span> active;
   for (std::size_t i = 0; i < group.rules.size(); ++i)
     if (ClauseHolds(group.rules[i].clause, values))
-      active.push_back(group.written[i]->clause);
+      active.push_back(group.written[i].clause);
   assert(active.size() >= 2);
   Diagnostic warning =
       Warn("W3004", active[1],
@@ -100,7 +100,7 @@ void LintGroup(const Group& group, const std::vector<State>& states,
   const StateSpace space(clauses, states);
   if (!space.size()) {
     warnings->push_back(
-        Warn("W3005", group.written[0]->head,
+        Warn("W3005", group.written[0].head,
              fmt::format("the clauses for '{}' tell apart more than {} "
                          "environments; not checked",
                          group.head, StateSpace::kMaxCombinations)));
@@ -118,28 +118,10 @@ void LintGroup(const Group& group, const std::vector<State>& states,
 
 }  // namespace
 
-std::vector<const ast::Rule*> RulesAsWritten(const Genotype& genotype,
-                                             const ast::File& file) {
-  std::vector<std::pair<SymbolId, const ast::Rule*>> rules;
-  rules.reserve(file.rules.size());
-  for (const ast::Rule& rule : file.rules)
-    rules.emplace_back(genotype.alphabet->Find(file.Text(rule.head)).value(),
-                       &rule);
-  // As Lower orders them: by head, then as in the file.
-  std::stable_sort(
-      rules.begin(), rules.end(),
-      [](const auto& a, const auto& b) { return a.first < b.first; });
-  assert(rules.size() == genotype.rules.size());
-  std::vector<const ast::Rule*> written;
-  written.reserve(rules.size());
-  for (const auto& [head, rule] : rules) written.push_back(rule);
-  return written;
-}
-
 std::vector<Diagnostic> LintClauses(const Program& program,
-                                    const ast::File& file) {
+                                    const SourceMap& map) {
   const Genotype& genotype = program.genotype;
-  const std::vector<const ast::Rule*> written = RulesAsWritten(genotype, file);
+  assert(map.rules.size() == genotype.rules.size());
   std::vector<Diagnostic> warnings;
   const std::span<const Rule> rules = genotype.rules;
   for (std::size_t begin = 0; begin < rules.size();) {
@@ -147,7 +129,7 @@ std::vector<Diagnostic> LintClauses(const Program& program,
     while (end < rules.size() && rules[end].head == rules[begin].head) ++end;
     const Group group{(*genotype.alphabet)[rules[begin].head].name,
                       rules.subspan(begin, end - begin),
-                      std::span(written).subspan(begin, end - begin)};
+                      std::span(map.rules).subspan(begin, end - begin)};
     LintGroup(group, genotype.states, &warnings);
     begin = end;
   }

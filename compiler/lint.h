@@ -7,12 +7,12 @@
 #include <vector>
 
 #include "compiler/program.h"
-#include "grammar/ast.h"
+#include "compiler/source_map.h"
 #include "grammar/diagnostic.h"
 
 namespace plsc {
 
-/// `file` is what `program` was compiled from: the warnings point into it.
+/// `map` says where the text is that `program` was compiled from.
 ///   W3003  a symbol has rules, but in some environment none is active, so
 ///          that it stays as it is there.
 ///   W3004  all rules of a symbol have clauses, yet in some environment
@@ -20,10 +20,6 @@ namespace plsc {
 ///   W3005  the rules of a symbol tell apart too many environments.
 /// Comments that silence warnings are not looked at (compiler/suppress.h).
 std::vector<Diagnostic> LintClauses(const Program& program,
-                                    const ast::File& file);
-
-/// By index into Genotype::rules, the rule of the file that it came from.
-std::vector<const ast::Rule*> RulesAsWritten(const Genotype& genotype,
-                                             const ast::File& file);
+                                    const SourceMap& map);
 
 }  // namespace plsc

@@ -6,6 +6,15 @@
 
 namespace plsc {
 
+namespace {
+
+// Bytes 10xxxxxx continue a UTF-8 character.
+bool StartsCharacter(char c) {
+  return (static_cast<unsigned char>(c) & 0xC0) != 0x80;
+}
+
+}  // namespace
+
 Source::Source(std::string name, std::string text)
     : name_(std::move(name)), text_(std::move(text)), line_begins_{0} {
   for (std::size_t i = text_.find('\n'); i != std::string::npos;
@@ -18,13 +27,22 @@ Position Source::PositionOf(std::uint32_t offset) const {
   const auto after =
       std::upper_bound(line_begins_.begin(), line_begins_.end(), offset);
   const auto line = static_cast<int>(after - line_begins_.begin());
-  // Bytes 10xxxxxx continue a UTF-8 character.
   const auto begin = text_.begin() + LineBegin(line);
   const auto end = text_.begin() + offset;
-  const auto characters = std::count_if(begin, end, [](char c) {
-    return (static_cast<unsigned char>(c) & 0xC0) != 0x80;
-  });
+  const auto characters = std::count_if(begin, end, StartsCharacter);
   return {line, static_cast<int>(characters) + 1};
+}
+
+std::optional<std::uint32_t> Source::OffsetOf(Position position) const {
+  if (position.line < 1 || position.line > line_count() || position.column < 1)
+    return std::nullopt;
+  const std::string_view line = Line(position.line);
+  int column = 0;
+  for (std::size_t i = 0; i < line.size(); ++i)
+    if (StartsCharacter(line[i]) && ++column == position.column)
+      return LineBegin(position.line) + static_cast<std::uint32_t>(i);
+  if (column + 1 != position.column) return std::nullopt;
+  return LineBegin(position.line) + static_cast<std::uint32_t>(line.size());
 }
 
 std::uint32_t Source::LineBegin(int line) const {

@@ -5,6 +5,7 @@
 // them, because most texts have no errors.
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -37,6 +38,9 @@ class Source {
 
   /// Offsets beyond the end count as the end.
   Position PositionOf(std::uint32_t offset) const;
+  /// The first byte of the character there; nothing when the line or the
+  /// column does not exist. The place behind a line's last character does.
+  std::optional<std::uint32_t> OffsetOf(Position position) const;
   /// The line without its end; `line` in 1..line_count().
   std::string_view Line(int line) const;
   /// Offset of the first byte of `line`.

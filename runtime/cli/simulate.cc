@@ -117,6 +117,7 @@ Exit Run(const SimulateCommand& command, Io& io) {
       PrintRow(life.result, io.out);
     else
       io.out << SeasonJson(genotype.name, life.result) << '\n';
+    io.out.flush();  // a season takes a while; show each when it is done
     if (!command.trajectory_folder.empty() &&
         !WriteTrajectory(command.trajectory_folder, season.name,
                          life.trajectory, io))

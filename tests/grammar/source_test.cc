@@ -32,6 +32,30 @@ TEST_CASE("Positions count lines from 1 and characters, not bytes",
   }
 }
 
+TEST_CASE("An offset is found from line and column", "[source]") {
+  const Source source("a.pls", "one\n\xC3\xA9t\xC3\xA9 x\r\n\tlast");
+  struct Row {
+    const char* why;
+    Position position;
+    std::optional<std::uint32_t> expected;
+  };
+  const std::vector<Row> rows = {
+      {"first byte", {1, 1}, 0},
+      {"behind the last character", {1, 4}, 3},
+      {"beyond that is nothing", {1, 5}, std::nullopt},
+      {"after a character of two bytes", {2, 2}, 6},
+      {"an end of two bytes is behind too", {2, 6}, 11},
+      {"no column 0", {1, 0}, std::nullopt},
+      {"no line 0", {0, 1}, std::nullopt},
+      {"no such line", {4, 1}, std::nullopt},
+  };
+  for (const Row& row : rows) {
+    DYNAMIC_SECTION(row.why) {
+      CHECK(source.OffsetOf(row.position) == row.expected);
+    }
+  }
+}
+
 TEST_CASE("Lines come without their ends", "[source]") {
   const Source source("a.pls", "one\r\ntwo\n\nlast");
   REQUIRE(source.line_count() == 4);
