@@ -5,6 +5,7 @@
 #include "compiler/compile.h"
 #include "runtime/cli/commands.h"
 #include "runtime/cli/diagnostic_json.h"
+#include "runtime/lint.h"
 
 namespace plsc::cli {
 
@@ -29,9 +30,14 @@ bool CheckOne(const std::string& file, const CheckCommand& command, Io& io) {
   }
   CompileOptions options;
   options.allow_out_of_range = command.allow_range;
-  const Result<Program> program = Compile(*source, options);
-  Show(program.diagnostics(), *source, command.format, io);
-  if (!program) return false;
+  const Result<MappedProgram> compiled = CompileWithMap(*source, options);
+  std::vector<Diagnostic> diagnostics = compiled.diagnostics();
+  if (compiled && command.lint)
+    for (Diagnostic& warning : Lint(*compiled, *source))
+      diagnostics.push_back(std::move(warning));
+  Show(diagnostics, *source, command.format, io);
+  if (!compiled) return false;
+  const Program* program = &compiled->program;
   if (command.format == OutputFormat::kText)
     io.out << fmt::format(
         "{}: genotype {}, alphabet {}, {} rules, {} states, {} environments\n",

@@ -20,11 +20,13 @@ struct CheckCommand {
   std::vector<std::string> files;
   OutputFormat format = OutputFormat::kText;
   bool allow_range = false;
+  bool lint = false;
 };
 
 struct FmtCommand {
   std::vector<std::string> files;
   bool check = false;
+  bool diff = false;
   bool to_stdout = false;
   bool compact = false;
 };
@@ -34,6 +36,21 @@ struct DevelopCommand {
   std::vector<std::string> environments;  ///< "a=True,b=False" or a name
   OutputFormat format = OutputFormat::kText;
   std::string svg_folder;  ///< empty: none
+  bool allow_range = false;
+};
+
+struct LintCommand {
+  std::vector<std::string> files;
+  OutputFormat format = OutputFormat::kText;
+  bool deny = false;
+  bool allow_range = false;
+};
+
+struct RegulateCommand {
+  std::string file;
+  std::vector<std::string> environments;  ///< as in DevelopCommand
+  bool table = false;
+  OutputFormat format = OutputFormat::kText;
   bool allow_range = false;
 };
 
@@ -72,7 +89,8 @@ struct Answer {
 };
 
 using Command = std::variant<Answer, CheckCommand, FmtCommand, DevelopCommand,
-                             SimulateCommand, EvolveCommand, RandomCommand>;
+                             LintCommand, RegulateCommand, SimulateCommand,
+                             EvolveCommand, RandomCommand>;
 
 /// `arguments` without the program's name.
 Command ParseArguments(const std::vector<std::string>& arguments);
@@ -81,6 +99,8 @@ Exit Run(const Answer& answer, Io& io);
 Exit Run(const CheckCommand& command, Io& io);
 Exit Run(const FmtCommand& command, Io& io);
 Exit Run(const DevelopCommand& command, Io& io);
+Exit Run(const LintCommand& command, Io& io);
+Exit Run(const RegulateCommand& command, Io& io);
 Exit Run(const SimulateCommand& command, Io& io);
 Exit Run(const EvolveCommand& command, Io& io);
 Exit Run(const RandomCommand& command, Io& io);

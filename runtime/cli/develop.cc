@@ -13,6 +13,8 @@
 #include "runtime/formats/body_svg.h"
 #include "runtime/formats/body_text.h"
 #include "runtime/formats/phenotype_json.h"
+#include "runtime/growth.h"
+#include "runtime/lint.h"
 
 namespace plsc::cli {
 
@@ -28,6 +30,8 @@ std::optional<Developed> DevelopIn(const Genotype& genotype,
                                    const Environment& environment) {
   Developed developed;
   developed.active = Regulate(genotype, environment);
+  if (DerivedLength(genotype, developed.active) > kMaxStringLength)
+    return std::nullopt;
   std::optional<SymbolString> string = Derive(genotype, developed.active);
   if (!string) return std::nullopt;
   developed.string = std::move(*string);
@@ -111,20 +115,21 @@ bool WriteSvg(const DevelopCommand& command, const Genotype& genotype,
   return !failure;
 }
 
-void ReportGrowth(const Genotype& genotype, const NamedEnvironment& named,
+void ReportGrowth(const LoadedProgram& loaded, const NamedEnvironment& named,
                   Io& io) {
-  io.err << fmt::format(
-      "error[P4001]: in {}, development would produce more than {} symbols\n"
-      "  = help: lower 'iterations' (now {}), or let rules replace themselves "
-      "by fewer modules\n",
-      named.name, kMaxStringLength, genotype.development.iterations);
+  const Genotype& genotype = loaded.compiled.program.genotype;
+  const ActiveRules active = Regulate(genotype, named.environment);
+  Report({GrowthError(loaded.compiled, loaded.source, active,
+                      DerivedLength(genotype, active), named.name)},
+         loaded.source, io);
 }
 
 }  // namespace
 
 Exit Run(const DevelopCommand& command, Io& io) {
-  const auto program = LoadProgram(command.file, command.allow_range, io);
-  if (!program) return Exit::kBadInput;
+  const auto loaded = LoadWithSource(command.file, command.allow_range, io);
+  if (!loaded) return Exit::kBadInput;
+  const Program* program = &loaded->compiled.program;
   const Genotype& genotype = program->genotype;
   if (!command.svg_folder.empty() && !genotype.alphabet->is_built_in()) {
     io.err << fmt::format(
@@ -140,7 +145,7 @@ Exit Run(const DevelopCommand& command, Io& io) {
   for (const NamedEnvironment& named : *environments) {
     const auto developed = DevelopIn(genotype, named.environment);
     if (!developed) {
-      ReportGrowth(genotype, named, io);
+      ReportGrowth(*loaded, named, io);
       return Exit::kBadInput;
     }
     const Phenotype* phenotype =

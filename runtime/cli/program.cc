@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <ostream>
+#include <utility>
 
-#include "compiler/compile.h"
 #include "compiler/print.h"
 #include "runtime/environment.h"
 
@@ -49,9 +49,9 @@ std::optional<NamedEnvironment> ReadOne(const Program& program,
 
 }  // namespace
 
-std::optional<Program> LoadProgram(const std::string& path, bool allow_range,
-                                   Io& io) {
-  const Result<Source> source = ReadSource(path, io);
+std::optional<LoadedProgram> LoadWithSource(const std::string& path,
+                                            bool allow_range, Io& io) {
+  Result<Source> source = ReadSource(path, io);
   if (!source) {
     io.err << fmt::format("error[{}]: {}\n", source.diagnostics()[0].code,
                           source.diagnostics()[0].message);
@@ -59,10 +59,17 @@ std::optional<Program> LoadProgram(const std::string& path, bool allow_range,
   }
   CompileOptions options;
   options.allow_out_of_range = allow_range;
-  Result<Program> program = Compile(*source, options);
-  Report(program.diagnostics(), *source, io);
-  if (!program) return std::nullopt;
-  return *program;
+  Result<MappedProgram> compiled = CompileWithMap(*source, options);
+  Report(compiled.diagnostics(), *source, io);
+  if (!compiled) return std::nullopt;
+  return LoadedProgram{std::move(*source), std::move(*compiled)};
+}
+
+std::optional<Program> LoadProgram(const std::string& path, bool allow_range,
+                                   Io& io) {
+  auto loaded = LoadWithSource(path, allow_range, io);
+  if (!loaded) return std::nullopt;
+  return std::move(loaded->compiled.program);
 }
 
 std::optional<std::vector<NamedEnvironment>> ChooseEnvironments(

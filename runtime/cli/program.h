@@ -6,12 +6,20 @@
 #include <optional>
 #include <string>
 
-#include "compiler/program.h"
+#include "compiler/compile.h"
 #include "runtime/cli/io.h"
 
 namespace plsc::cli {
 
+struct LoadedProgram {
+  Source source;
+  MappedProgram compiled;
+};
+
 /// Reads and compiles; prints what is wrong (and warnings) to io.err.
+std::optional<LoadedProgram> LoadWithSource(const std::string& path,
+                                            bool allow_range, Io& io);
+/// The same, when places do not matter.
 std::optional<Program> LoadProgram(const std::string& path, bool allow_range,
                                    Io& io);
 

@@ -4,6 +4,8 @@
 #include <nlohmann/json.hpp>
 
 #include "runtime/formats/descriptors_json.h"
+#include "runtime/formats/environment_json.h"
+#include "runtime/formats/symbol_json.h"
 #include "runtime/regulate.h"
 
 namespace plsc {
@@ -11,38 +13,6 @@ namespace plsc {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json Number(double value, bool is_integer) {
-  // Whole numbers beyond 2^53 keep their double form.
-  if (is_integer && value < 9007199254740992.0)
-    return static_cast<std::int64_t>(value);
-  return value;
-}
-
-Json SymbolJson(const Genotype& genotype, const Occurrence& occurrence) {
-  const SymbolInfo& info = (*genotype.alphabet)[occurrence.symbol];
-  Json arguments = Json::array();
-  if (occurrence.rule != kNoRule) {
-    const Symbol& symbol =
-        genotype.rules[occurrence.rule].production[occurrence.position];
-    for (std::size_t i = 0; i < info.parameters.size(); ++i)
-      arguments.push_back(
-          Number(symbol.arguments[i], info.parameters[i].is_integer));
-  }
-  return Json::array({info.name, std::move(arguments)});
-}
-
-Json StateJson(const State& state, double value) {
-  switch (state.type) {
-    case StateType::kBool:
-      return value != 0;
-    case StateType::kReal:
-      return value;
-    case StateType::kEnum:
-      return state.values[static_cast<std::size_t>(value)];
-  }
-  return nullptr;
-}
 
 const char* FacingName(Facing facing) {
   constexpr std::array<const char*, 4> kNames{"front", "left", "back", "right"};
@@ -112,11 +82,7 @@ std::string DevelopmentJson(const Genotype& genotype,
                             const Phenotype* phenotype) {
   Json json;
   json["genotype"] = genotype.name;
-  Json senses = Json::object();
-  for (std::size_t i = 0; i < genotype.states.size(); ++i)
-    senses[genotype.states[i].name] =
-        StateJson(genotype.states[i], environment.values[i]);
-  json["environment"] = std::move(senses);
+  json["environment"] = EnvironmentJson(environment, genotype.states);
   Json active = Json::array();
   for (const RuleIndex rule : Regulate(genotype, environment).rules)
     active.push_back(rule + 1);
