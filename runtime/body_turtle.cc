@@ -1,6 +1,6 @@
 #include "runtime/body_turtle.h"
 
-#include <algorithm>
+#include <array>
 #include <cassert>
 
 namespace plsc {
@@ -18,7 +18,6 @@ int RollAngle(ModuleType child, ModuleType parent) {
   return child_is_vertical ? 90 : 0;
 }
 
-// Where a module for `wanted` goes on the module-reference.
 Slot BodyTurtle::TargetSlot(Slot wanted) const {
   const Module& reference = body_.modules[static_cast<std::size_t>(reference_)];
   if (IsJoint(reference.type)) return Slot::kFront;
@@ -35,23 +34,38 @@ Slot BodyTurtle::TargetSlot(Slot wanted) const {
   return wanted;
 }
 
-bool BodyTurtle::IsTaken(Cell cell) const {
-  // At most max_modules cells, so a scan beats a set.
-  return std::any_of(body_.modules.begin(), body_.modules.end(),
-                     [&](const Module& module) {
-                       return module.type != ModuleType::kTouchSensor &&
-                              module.x == cell.x && module.y == cell.y;
-                     });
+BodyTurtle::Cell BodyTurtle::CellAhead(const Module& from, Facing facing) {
+  // By Facing: front, left, back, right.
+  constexpr std::array<Cell, 4> kAhead{Cell{0, 1}, Cell{-1, 0}, Cell{0, -1},
+                                       Cell{1, 0}};
+  const Cell ahead = kAhead[static_cast<std::size_t>(facing)];
+  return {from.x + ahead.x, from.y + ahead.y};
 }
 
-std::optional<int> BodyTurtle::Mount(ModuleType type) {
+int BodyTurtle::ModuleIn(Cell cell) const {
+  // At most max_modules cells, so a scan beats a set.
+  for (std::size_t i = 0; i < body_.modules.size(); ++i) {
+    const Module& module = body_.modules[i];
+    if (module.x == cell.x && module.y == cell.y &&
+        module.type != ModuleType::kTouchSensor)
+      return static_cast<int>(i);
+  }
+  return kNoModule;
+}
+
+int BodyTurtle::NeighbourAt(Slot slot) const {
+  const Module& reference = body_.modules[static_cast<std::size_t>(reference_)];
+  return ModuleIn(CellAhead(reference, FacingOf(reference.facing, slot)));
+}
+
+Mounting BodyTurtle::Mount(ModuleType type) {
   assert(type != ModuleType::kCore);
-  if (!slot_reference_) return std::nullopt;
+  if (!slot_reference_) return {Effect::kNoSlot};
   // Sensors are not counted, but none is mounted either once m is reached.
-  if (size_ >= max_modules_) return std::nullopt;
+  if (size_ >= max_modules_) return {Effect::kBodyFull};
   const Slot slot = TargetSlot(*slot_reference_);
   const Module& parent = at(reference_);
-  if (parent.child(slot) != kNoModule) return std::nullopt;
+  if (parent.child(slot) != kNoModule) return {Effect::kSlotTaken};
 
   Module module;
   module.type = type;
@@ -59,16 +73,13 @@ std::optional<int> BodyTurtle::Mount(ModuleType type) {
   module.slot = slot;
   module.angle_deg = RollAngle(type, parent.type);
   if (type == ModuleType::kTouchSensor) {
-    if (IsJoint(parent.type)) return std::nullopt;
+    if (IsJoint(parent.type)) return {Effect::kSensorOnJoint};
   } else {
-    // By Facing: front, left, back, right.
-    constexpr std::array<Cell, 4> kAhead{Cell{0, 1}, Cell{-1, 0}, Cell{0, -1},
-                                         Cell{1, 0}};
     module.facing = FacingOf(parent.facing, slot);
-    const Cell ahead = kAhead[static_cast<std::size_t>(module.facing)];
-    module.x = parent.x + ahead.x;
-    module.y = parent.y + ahead.y;
-    if (IsTaken({module.x, module.y})) return std::nullopt;
+    const Cell cell = CellAhead(parent, module.facing);
+    if (ModuleIn(cell) != kNoModule) return {Effect::kCellTaken};
+    module.x = cell.x;
+    module.y = cell.y;
     module.number = ++size_;
   }
 
@@ -80,23 +91,26 @@ std::optional<int> BodyTurtle::Mount(ModuleType type) {
     came_from_.push_back(reference_);
     reference_ = index;
   }
-  return index;
+  return {Effect::kMounted, index};
 }
 
-void BodyTurtle::MoveBack() {
-  if (came_from_.empty()) return;
+Effect BodyTurtle::MoveBack() {
+  if (came_from_.empty()) return Effect::kAtStart;
   reference_ = came_from_.back();
   came_from_.pop_back();
+  return Effect::kModuleReached;
 }
 
-void BodyTurtle::Move(Slot slot) {
+Effect BodyTurtle::Move(Slot slot) {
   assert(slot != Slot::kBack);
   const Module& reference = at(reference_);
   const Slot target = IsJoint(reference.type) ? Slot::kFront : slot;
   const int child = reference.child(target);
-  if (child == kNoModule || at(child).type == ModuleType::kTouchSensor) return;
+  if (child == kNoModule) return Effect::kSideEmpty;
+  if (at(child).type == ModuleType::kTouchSensor) return Effect::kSensorThere;
   came_from_.push_back(reference_);
   reference_ = child;
+  return Effect::kModuleReached;
 }
 
 }  // namespace plsc

@@ -5,13 +5,21 @@
 // commands and modules; knows nothing of the network, but reports what it
 // mounted so that the brain turtle can add a node.
 
-#include <array>
 #include <optional>
 #include <vector>
 
+#include "runtime/effect.h"
 #include "sim/body.h"
 
 namespace plsc {
+
+/// What became of a module: true when it was mounted.
+struct Mounting {
+  Effect effect = Effect::kMounted;
+  int module = kNoModule;  ///< its index, when it was mounted
+
+  explicit operator bool() const { return effect == Effect::kMounted; }
+};
 
 class BodyTurtle {
  public:
@@ -22,15 +30,22 @@ class BodyTurtle {
 
   /// A mounting command: overwrites the slot-reference (II).
   void SetSlot(Slot slot) { slot_reference_ = slot; }
-  /// A module (III, IV). The index of the mounted module, or nothing when it
-  /// is not expressed; then the slot-reference is kept.
-  std::optional<int> Mount(ModuleType type);
-  /// Moving commands (V).
-  void MoveBack();
-  void Move(Slot slot);
+  /// A module (III, IV). When it is not expressed the slot-reference is kept.
+  Mounting Mount(ModuleType type);
+  /// Moving commands (V): kModuleReached, or why the reference stays.
+  Effect MoveBack();
+  Effect Move(Slot slot);
 
   const Body& body() const { return body_; }
   Body TakeBody() && { return std::move(body_); }
+
+  // What an observer asks between symbols.
+  int reference() const { return reference_; }  ///< index, the module-reference
+  std::optional<Slot> slot_reference() const { return slot_reference_; }
+  /// Where a module for `wanted` goes on the module-reference.
+  Slot TargetSlot(Slot wanted) const;
+  /// The module (no sensor) in the cell in front of that slot, or kNoModule.
+  int NeighbourAt(Slot slot) const;
 
  private:
   struct Cell {
@@ -41,8 +56,8 @@ class BodyTurtle {
   Module& at(int index) {
     return body_.modules[static_cast<std::size_t>(index)];
   }
-  Slot TargetSlot(Slot wanted) const;
-  bool IsTaken(Cell cell) const;
+  static Cell CellAhead(const Module& from, Facing facing);
+  int ModuleIn(Cell cell) const;
 
   Body body_;
   int reference_ = 0;           ///< the module-reference

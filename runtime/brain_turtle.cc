@@ -13,12 +13,19 @@ int BrainTurtle::Add(const Node& new_node) {
   return static_cast<int>(brain_.nodes.size()) - 1;
 }
 
-Connection* BrainTurtle::Find(int source, int destination) {
+int BrainTurtle::EdgeBetween(int source, int destination) const {
   // Robots have tens of edges, so a scan beats an index.
-  for (Connection& connection : brain_.connections)
-    if (connection.source == source && connection.destination == destination)
-      return &connection;
-  return nullptr;
+  for (std::size_t i = 0; i < brain_.connections.size(); ++i)
+    if (brain_.connections[i].source == source &&
+        brain_.connections[i].destination == destination)
+      return static_cast<int>(i);
+  return kNoEdge;
+}
+
+// Why a command that needs both references is not expressed.
+Effect BrainTurtle::Missing() const {
+  if (!inputs_.empty()) return Effect::kNoNeuron;
+  return neurons_.empty() ? Effect::kNoNodes : Effect::kNoInput;
 }
 
 void BrainTurtle::Connect(int input, int neuron, double weight) {
@@ -60,42 +67,51 @@ void BrainTurtle::AddOscillator(Node oscillator) {
   inputs_ = {inputs_.back()};
 }
 
-void BrainTurtle::AddEdge(double weight) {
-  if (!has_both() || Find(inputs_.back(), neurons_.back()) != nullptr) return;
+Effect BrainTurtle::AddEdge(double weight) {
+  if (!has_both()) return Missing();
+  if (EdgeBetween(inputs_.back(), neurons_.back()) != kNoEdge)
+    return Effect::kEdgeExists;
   Connect(inputs_.back(), neurons_.back(), weight);
+  return Effect::kEdgeAdded;
 }
 
 // A loop needs an input although it connects none: the authors' program asks
 // for both references, and the paper leaves it to "the requirements of the
 // command".
-void BrainTurtle::AddLoop(double weight) {
-  if (!has_both() || Find(neurons_.back(), neurons_.back()) != nullptr) return;
+Effect BrainTurtle::AddLoop(double weight) {
+  if (!has_both()) return Missing();
+  if (EdgeBetween(neurons_.back(), neurons_.back()) != kNoEdge)
+    return Effect::kLoopExists;
   brain_.connections.push_back({neurons_.back(), neurons_.back(), weight});
+  return Effect::kLoopAdded;
 }
 
-void BrainTurtle::MutateEdge(double amount) {
-  if (!has_both()) return;
-  Connection* edge = Find(inputs_.back(), neurons_.back());
-  if (edge == nullptr) return;
-  edge->weight = std::clamp(edge->weight + amount, plasticoding::kWeightLow,
-                            plasticoding::kWeightHigh);
+Effect BrainTurtle::MutateEdge(double amount) {
+  if (!has_both()) return Missing();
+  const int edge = EdgeBetween(inputs_.back(), neurons_.back());
+  if (edge == kNoEdge) return Effect::kNoEdge;
+  double& weight = brain_.connections[static_cast<std::size_t>(edge)].weight;
+  weight = std::clamp(weight + amount, plasticoding::kWeightLow,
+                      plasticoding::kWeightHigh);
+  return Effect::kEdgeChanged;
 }
 
-void BrainTurtle::MutateParameter(double Node::*parameter, double amount) {
-  if (neurons_.empty()) return;
+Effect BrainTurtle::MutateParameter(double Node::*parameter, double amount) {
+  if (neurons_.empty()) return Effect::kNoNeuron;
   double& value = node(neurons_.back()).*parameter;
   value = std::clamp(value + amount, plasticoding::kOscillatorLow,
                      plasticoding::kOscillatorHigh);
+  return Effect::kNeuronChanged;
 }
 
-void BrainTurtle::MutateAmplitude(double amount) {
-  MutateParameter(&Node::amplitude, amount);
+Effect BrainTurtle::MutateAmplitude(double amount) {
+  return MutateParameter(&Node::amplitude, amount);
 }
-void BrainTurtle::MutatePeriod(double amount) {
-  MutateParameter(&Node::period, amount);
+Effect BrainTurtle::MutatePeriod(double amount) {
+  return MutateParameter(&Node::period, amount);
 }
-void BrainTurtle::MutatePhaseOffset(double amount) {
-  MutateParameter(&Node::phase_offset, amount);
+Effect BrainTurtle::MutatePhaseOffset(double amount) {
+  return MutateParameter(&Node::phase_offset, amount);
 }
 
 // Never asked of a node without edges: as soon as both references exist, each
@@ -107,14 +123,16 @@ int BrainTurtle::Neighbour(int of, int edge) const {
   return list[static_cast<std::size_t>(std::min(edge, last) - 1)];
 }
 
-void BrainTurtle::MoveInputReference(int t, int d) {
-  if (!has_both()) return;
+Effect BrainTurtle::MoveInputReference(int t, int d) {
+  if (!has_both()) return Missing();
   inputs_.back() = Neighbour(Neighbour(inputs_.back(), t), d);
+  return Effect::kNodeReached;
 }
 
-void BrainTurtle::MoveNeuronReference(int t, int d) {
-  if (!has_both()) return;
+Effect BrainTurtle::MoveNeuronReference(int t, int d) {
+  if (!has_both()) return Missing();
   neurons_.back() = Neighbour(Neighbour(neurons_.back(), t), d);
+  return Effect::kNodeReached;
 }
 
 }  // namespace plsc

@@ -6,9 +6,13 @@
 
 #include <vector>
 
+#include "runtime/effect.h"
 #include "sim/brain.h"
 
 namespace plsc {
+
+inline constexpr int kNoNode = -1;
+inline constexpr int kNoEdge = -1;
 
 class BrainTurtle {
  public:
@@ -18,31 +22,41 @@ class BrainTurtle {
   void AddOscillator(Node node);
 
   // Controller-changing commands. Each does nothing while a node that it
-  // needs does not exist.
-  void AddEdge(double weight);
-  void AddLoop(double weight);
-  void MutateEdge(double amount);
-  void MutateAmplitude(double amount);
-  void MutatePeriod(double amount);
-  void MutatePhaseOffset(double amount);
+  // needs does not exist; the effect says so.
+  Effect AddEdge(double weight);
+  Effect AddLoop(double weight);
+  Effect MutateEdge(double amount);
+  Effect MutateAmplitude(double amount);
+  Effect MutatePeriod(double amount);
+  Effect MutatePhaseOffset(double amount);
 
   // Controller-moving commands: edges t and d are counted from 1; numbers
   // beyond a node's last edge mean its last edge.
-  void MoveInputReference(int t, int d);
-  void MoveNeuronReference(int t, int d);
+  Effect MoveInputReference(int t, int d);
+  Effect MoveNeuronReference(int t, int d);
 
+  const Brain& brain() const { return brain_; }
   Brain TakeBrain() && { return std::move(brain_); }
 
+  // What an observer asks between symbols.
+  int input_reference() const { return Top(inputs_); }    ///< or kNoNode
+  int neuron_reference() const { return Top(neurons_); }  ///< or kNoNode
+  /// Index of the edge, or kNoEdge.
+  int EdgeBetween(int source, int destination) const;
+
  private:
+  static int Top(const std::vector<int>& stack) {
+    return stack.empty() ? kNoNode : stack.back();
+  }
+  Effect Missing() const;
   bool has_both() const { return !inputs_.empty() && !neurons_.empty(); }
   Node& node(int index) {
     return brain_.nodes[static_cast<std::size_t>(index)];
   }
   int Add(const Node& new_node);
-  Connection* Find(int source, int destination);
   void Connect(int input, int neuron, double weight);
   int Neighbour(int of, int edge) const;
-  void MutateParameter(double Node::*parameter, double amount);
+  Effect MutateParameter(double Node::*parameter, double amount);
 
   Brain brain_;
   std::vector<int> inputs_;   ///< stack; back() is the input-reference

@@ -38,6 +38,18 @@ void AddFormat(CLI::App* command, OutputFormat& format, const char* json) {
       ->option_text("text|json");
 }
 
+void AddEnvironments(CLI::App* command,
+                     std::vector<std::string>& environments) {
+  command
+      ->add_option("--env", environments,
+                   "what the robot senses: STATE=VALUE,... or the name of an "
+                   "environment of the file; may be repeated (default: every "
+                   "environment that the file names)")
+      ->option_text("ENVIRONMENT")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
+
 CLI::App* AddCheck(CLI::App& app, CheckCommand& command) {
   CLI::App* sub =
       app.add_subcommand("check", "Say whether files are correct genotypes");
@@ -86,27 +98,26 @@ CLI::App* AddDevelop(CLI::App& app, DevelopCommand& command) {
       "develop", "Grow the robot of a genotype in one or more environments");
   sub->add_option("FILE", command.file, "a genotype file; - is standard input")
       ->required();
-  sub->add_option("--env", command.environments,
-                  "what the robot senses: STATE=VALUE,... or the name of an "
-                  "environment of the file; may be repeated (default: every "
-                  "environment that the file names)")
-      ->option_text("ENVIRONMENT")
-      ->expected(1)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  AddEnvironments(sub, command.environments);
   AddFormat(sub, command.format, "one robot a line");
   sub->add_option("--svg", command.svg_folder,
                   "also draw each body as FOLDER/GENOTYPE-ENVIRONMENT.svg")
       ->option_text("FOLDER");
+  sub->add_flag("--trace", command.trace,
+                "also say which rules are active, each rewriting, and what "
+                "each symbol did or why it was not expressed");
   sub->add_flag("--allow-range", command.allow_range,
                 "arguments outside their range are warnings, not errors");
   sub->footer(
       "The drawing shows the body from above, the core's front up: C core, B "
       "brick,\nA1 vertical joint, A2 horizontal joint, T a touch sensor on a "
       "side; the dot is\nwhere a module hangs on its parent. Genotypes of "
-      "other alphabets print their\nstring after each rewriting.\n\n"
+      "other alphabets print their\nstring after each rewriting. --trace "
+      "tells the whole story; `plsc why` asks about\none part of it.\n\n"
       "  plsc develop robot.pls --env inclined=True,hot=False\n"
       "  plsc develop robot.pls --env flat --env tilted --svg pictures\n"
-      "  plsc develop robot.pls --env flat --format json | jq .body");
+      "  plsc develop robot.pls --env flat --format json | jq .body\n"
+      "  plsc develop robot.pls --env flat --trace");
   return sub;
 }
 
@@ -255,6 +266,45 @@ CLI::App* AddRandom(CLI::App& app, RandomCommand& command) {
   return sub;
 }
 
+CLI::App* AddWhy(CLI::App& app, WhyCommand& command) {
+  CLI::App* sub = app.add_subcommand(
+      "why",
+      "Explain where a part of a robot comes from, or what became of a "
+      "symbol");
+  sub->add_option("FILE", command.file,
+                  "a genotype file (- is standard input); FILE:LINE:COLUMN "
+                  "asks about the symbol there")
+      ->required();
+  CLI::Option* module =
+      sub->add_option("--module", command.module,
+                      "ask about a module by its number, as 7, or a sensor, "
+                      "as 7s1")
+          ->option_text("ID");
+  CLI::Option* node =
+      sub->add_option("--node", command.node, "ask about a neuron or an input")
+          ->option_text("nodeN")
+          ->excludes(module);
+  sub->add_option("--edge", command.edge, "ask about an edge, the source first")
+      ->option_text("nodeN-nodeM")
+      ->excludes(module)
+      ->excludes(node);
+  AddEnvironments(sub, command.environments);
+  AddFormat(sub, command.format, "one environment a line");
+  sub->add_flag("--allow-range", command.allow_range,
+                "arguments outside their range are warnings, not errors");
+  sub->footer(
+      "Back from a part: the symbol that made it and those that changed it, "
+      "each with\nits place in the file, the rule and the iteration that "
+      "inserted it and what it was\ninserted for, up to the axiom. Forward "
+      "from a symbol: every occurrence of it in\nthe string and what that did. "
+      "Ids are those of `plsc develop`; exit status 1 when\nno environment has "
+      "such a part.\n\n"
+      "  plsc why robot.pls --module 7 --env tilted\n"
+      "  plsc why robot.pls --edge node3-node1\n"
+      "  plsc why robot.pls:12:5 --format json");
+  return sub;
+}
+
 // The command that the user typed, or the whole program.
 const CLI::App& Chosen(const CLI::App& app) {
   const auto chosen = app.get_subcommands();
@@ -329,6 +379,7 @@ Command ParseArguments(const std::vector<std::string>& arguments) {
   SimulateCommand simulate;
   EvolveCommand evolve;
   RandomCommand random;
+  WhyCommand why;
   const CLI::App* check_app = AddCheck(app, check);
   const CLI::App* fmt_app = AddFmt(app, fmt);
   const CLI::App* develop_app = AddDevelop(app, develop);
@@ -336,6 +387,7 @@ Command ParseArguments(const std::vector<std::string>& arguments) {
   const CLI::App* regulate_app = AddRegulate(app, regulate);
   const CLI::App* simulate_app = AddSimulate(app, simulate);
   const CLI::App* evolve_app = AddEvolve(app, evolve);
+  const CLI::App* why_app = AddWhy(app, why);
 
   AddRandom(app, random);
 
@@ -359,6 +411,7 @@ Command ParseArguments(const std::vector<std::string>& arguments) {
   if (regulate_app->parsed()) return regulate;
   if (simulate_app->parsed()) return simulate;
   if (evolve_app->parsed()) return evolve;
+  if (why_app->parsed()) return why;
   return random;
 }
 

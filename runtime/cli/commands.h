@@ -36,6 +36,7 @@ struct DevelopCommand {
   std::vector<std::string> environments;  ///< "a=True,b=False" or a name
   OutputFormat format = OutputFormat::kText;
   std::string svg_folder;  ///< empty: none
+  bool trace = false;
   bool allow_range = false;
 };
 
@@ -81,6 +82,16 @@ struct RandomCommand {
   std::string output;  ///< empty: standard output
 };
 
+struct WhyCommand {
+  std::string file;    ///< or FILE:LINE:COLUMN, which asks about a symbol
+  std::string module;  ///< an id to ask about; empty: none
+  std::string node;
+  std::string edge;
+  std::vector<std::string> environments;  ///< as DevelopCommand's
+  OutputFormat format = OutputFormat::kText;
+  bool allow_range = false;
+};
+
 /// What the command line already answered: help, version, or a usage error.
 struct Answer {
   Exit exit = Exit::kFine;
@@ -90,7 +101,7 @@ struct Answer {
 
 using Command = std::variant<Answer, CheckCommand, FmtCommand, DevelopCommand,
                              LintCommand, RegulateCommand, SimulateCommand,
-                             EvolveCommand, RandomCommand>;
+                             EvolveCommand, RandomCommand, WhyCommand>;
 
 /// `arguments` without the program's name.
 Command ParseArguments(const std::vector<std::string>& arguments);
@@ -104,6 +115,7 @@ Exit Run(const RegulateCommand& command, Io& io);
 Exit Run(const SimulateCommand& command, Io& io);
 Exit Run(const EvolveCommand& command, Io& io);
 Exit Run(const RandomCommand& command, Io& io);
+Exit Run(const WhyCommand& command, Io& io);
 
 /// The whole program, as tests call it.
 Exit Main(const std::vector<std::string>& arguments, Io& io);

@@ -2,6 +2,7 @@
 
 #include <cctype>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <ostream>
 
 #include "compiler/print.h"
@@ -12,9 +13,10 @@
 #include "runtime/develop.h"
 #include "runtime/formats/body_svg.h"
 #include "runtime/formats/body_text.h"
+#include "runtime/formats/history_json.h"
+#include "runtime/formats/history_text.h"
 #include "runtime/formats/phenotype_json.h"
 #include "runtime/growth.h"
-#include "runtime/lint.h"
 
 namespace plsc::cli {
 
@@ -87,7 +89,6 @@ void PrintText(const Genotype& genotype, const NamedEnvironment& named,
     PrintBody(*developed.phenotype, out);
   else
     PrintDerivation(genotype, developed.active, out);
-  out << '\n';
 }
 
 // "gecko-inclined_True.svg": a name that every file system takes.
@@ -115,22 +116,51 @@ bool WriteSvg(const DevelopCommand& command, const Genotype& genotype,
   return !failure;
 }
 
-void ReportGrowth(const LoadedProgram& loaded, const NamedEnvironment& named,
-                  Io& io) {
-  const Genotype& genotype = loaded.compiled.program.genotype;
-  const ActiveRules active = Regulate(genotype, named.environment);
-  Report({GrowthError(loaded.compiled, loaded.source, active,
-                      DerivedLength(genotype, active), named.name)},
-         loaded.source, io);
+std::string JsonText(const Genotype& genotype, const Environment& environment,
+                     const Developed& developed, const HistoryView* view) {
+  const Phenotype* phenotype =
+      developed.phenotype ? &*developed.phenotype : nullptr;
+  std::string text =
+      DevelopmentJson(genotype, environment, developed.string, phenotype);
+  if (view == nullptr) return text;
+  using Json = nlohmann::ordered_json;
+  Json json = Json::parse(text);
+  json["trace"] = HistoryJson(*view);
+  // The file's name may be any bytes; JSON must stay UTF-8.
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+// False when the history outgrows its limit.
+bool Print(const DevelopCommand& command, const LoadedProgram& loaded,
+           const NamedEnvironment& named, const Developed& developed, Io& io) {
+  const Genotype& genotype = loaded.mapped.program.genotype;
+  std::optional<History> history;
+  std::optional<HistoryView> view;
+  if (command.trace) {
+    history = DevelopWithHistory(genotype, named.environment);
+    if (!history) return false;
+    view.emplace(HistoryView{loaded.source, genotype, loaded.mapped.map,
+                             named.environment, *history});
+  }
+  if (command.format == OutputFormat::kJson) {
+    io.out << JsonText(genotype, named.environment, developed,
+                       view ? &*view : nullptr)
+           << '\n';
+    return true;
+  }
+  PrintText(genotype, named, developed, io.out);
+  if (view) io.out << HistoryText(*view);
+  io.out << '\n';
+  return true;
 }
 
 }  // namespace
 
 Exit Run(const DevelopCommand& command, Io& io) {
-  const auto loaded = LoadWithSource(command.file, command.allow_range, io);
+  const auto loaded = LoadWithMap(command.file, command.allow_range, io);
   if (!loaded) return Exit::kBadInput;
-  const Program* program = &loaded->compiled.program;
-  const Genotype& genotype = program->genotype;
+  const Program& program = loaded->mapped.program;
+  const Genotype& genotype = program.genotype;
   if (!command.svg_folder.empty() && !genotype.alphabet->is_built_in()) {
     io.err << fmt::format(
         "error: --svg draws bodies, and alphabet '{}' has "
@@ -139,25 +169,17 @@ Exit Run(const DevelopCommand& command, Io& io) {
     return Exit::kBadUsage;
   }
   const auto environments =
-      ChooseEnvironments(*program, command.environments, io);
+      ChooseEnvironments(program, command.environments, io);
   if (!environments) return Exit::kBadUsage;
 
   for (const NamedEnvironment& named : *environments) {
     const auto developed = DevelopIn(genotype, named.environment);
-    if (!developed) {
+    if (!developed || !Print(command, *loaded, named, *developed, io)) {
       ReportGrowth(*loaded, named, io);
       return Exit::kBadInput;
     }
-    const Phenotype* phenotype =
-        developed->phenotype ? &*developed->phenotype : nullptr;
-    if (command.format == OutputFormat::kJson)
-      io.out << DevelopmentJson(genotype, named.environment, developed->string,
-                                phenotype)
-             << '\n';
-    else
-      PrintText(genotype, named, *developed, io.out);
     if (!command.svg_folder.empty() &&
-        !WriteSvg(command, genotype, named, phenotype->body, io))
+        !WriteSvg(command, genotype, named, developed->phenotype->body, io))
       return Exit::kBadInput;
   }
   return Exit::kFine;

@@ -7,7 +7,10 @@
 #include <utility>
 
 #include "compiler/print.h"
+#include "runtime/derive.h"
 #include "runtime/environment.h"
+#include "runtime/growth.h"
+#include "runtime/lint.h"
 
 namespace plsc::cli {
 
@@ -47,29 +50,61 @@ std::optional<NamedEnvironment> ReadOne(const Program& program,
   return NamedEnvironment{std::move(name), *environment};
 }
 
-}  // namespace
-
-std::optional<LoadedProgram> LoadWithSource(const std::string& path,
-                                            bool allow_range, Io& io) {
+std::optional<Source> Read(const std::string& path, Io& io) {
   Result<Source> source = ReadSource(path, io);
-  if (!source) {
-    io.err << fmt::format("error[{}]: {}\n", source.diagnostics()[0].code,
-                          source.diagnostics()[0].message);
-    return std::nullopt;
-  }
+  if (source) return std::move(*source);
+  io.err << fmt::format("error[{}]: {}\n", source.diagnostics()[0].code,
+                        source.diagnostics()[0].message);
+  return std::nullopt;
+}
+
+CompileOptions Options(bool allow_range) {
   CompileOptions options;
   options.allow_out_of_range = allow_range;
-  Result<MappedProgram> compiled = CompileWithMap(*source, options);
-  Report(compiled.diagnostics(), *source, io);
-  if (!compiled) return std::nullopt;
-  return LoadedProgram{std::move(*source), std::move(*compiled)};
+  return options;
 }
+
+template <typename T>
+std::optional<T> Checked(Result<T> result, const Source& source, Io& io) {
+  Report(result.diagnostics(), source, io);
+  if (!result) return std::nullopt;
+  return std::move(*result);
+}
+
+}  // namespace
 
 std::optional<Program> LoadProgram(const std::string& path, bool allow_range,
                                    Io& io) {
-  auto loaded = LoadWithSource(path, allow_range, io);
-  if (!loaded) return std::nullopt;
-  return std::move(loaded->compiled.program);
+  const std::optional<Source> source = Read(path, io);
+  if (!source) return std::nullopt;
+  return Checked(Compile(*source, Options(allow_range)), *source, io);
+}
+
+std::optional<LoadedProgram> LoadWithMap(const std::string& path,
+                                         bool allow_range, Io& io) {
+  std::optional<Source> source = Read(path, io);
+  if (!source) return std::nullopt;
+  auto mapped =
+      Checked(CompileWithMap(*source, Options(allow_range)), *source, io);
+  if (!mapped) return std::nullopt;
+  return LoadedProgram{std::move(*source), std::move(*mapped)};
+}
+
+void ReportGrowth(const LoadedProgram& loaded, const NamedEnvironment& named,
+                  Io& io) {
+  const Genotype& genotype = loaded.mapped.program.genotype;
+  const ActiveRules active = Regulate(genotype, named.environment);
+  const std::uint64_t length = DerivedLength(genotype, active);
+  if (length > kMaxStringLength) {
+    Report(
+        {GrowthError(loaded.mapped, loaded.source, active, length, named.name)},
+        loaded.source, io);
+    return;
+  }
+  io.err << fmt::format(
+      "error: in {}, the history of development has too many symbols to be "
+      "kept\n",
+      named.name);
 }
 
 std::optional<std::vector<NamedEnvironment>> ChooseEnvironments(

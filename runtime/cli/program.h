@@ -11,17 +11,22 @@
 
 namespace plsc::cli {
 
-struct LoadedProgram {
-  Source source;
-  MappedProgram compiled;
-};
-
 /// Reads and compiles; prints what is wrong (and warnings) to io.err.
-std::optional<LoadedProgram> LoadWithSource(const std::string& path,
-                                            bool allow_range, Io& io);
-/// The same, when places do not matter.
 std::optional<Program> LoadProgram(const std::string& path, bool allow_range,
                                    Io& io);
+
+struct LoadedProgram {
+  Source source;
+  MappedProgram mapped;
+};
+
+/// The same, with the text and where in it each part was written.
+std::optional<LoadedProgram> LoadWithMap(const std::string& path,
+                                         bool allow_range, Io& io);
+
+/// Says that development would outgrow its limit in that environment.
+void ReportGrowth(const LoadedProgram& loaded, const NamedEnvironment& named,
+                  Io& io);
 
 /// The environments that a command line means: each `text` is a name that the
 /// file declares, or "state=value,...". Without any: all that the file

@@ -14,7 +14,7 @@ namespace plsc::cli {
 namespace {
 
 Exit PrintTable(const LoadedProgram& loaded, OutputFormat format, Io& io) {
-  const Genotype& genotype = loaded.compiled.program.genotype;
+  const Genotype& genotype = loaded.mapped.program.genotype;
   const StateSpace space(genotype);
   if (!space.size()) {
     io.err << fmt::format(
@@ -29,17 +29,17 @@ Exit PrintTable(const LoadedProgram& loaded, OutputFormat format, Io& io) {
     return Exit::kFine;
   }
   io.out << RegulationTable(genotype, space) << '\n'
-         << RuleLegend(loaded.compiled, loaded.source);
+         << RuleLegend(loaded.mapped, loaded.source);
   return Exit::kFine;
 }
 
 }  // namespace
 
 Exit Run(const RegulateCommand& command, Io& io) {
-  const auto loaded = LoadWithSource(command.file, command.allow_range, io);
+  const auto loaded = LoadWithMap(command.file, command.allow_range, io);
   if (!loaded) return Exit::kBadInput;
   if (command.table) return PrintTable(*loaded, command.format, io);
-  const Program& program = loaded->compiled.program;
+  const Program& program = loaded->mapped.program;
   const auto environments =
       ChooseEnvironments(program, command.environments, io);
   if (!environments) return Exit::kBadUsage;

@@ -85,9 +85,9 @@ TEST_CASE("Compiling with a map gives the same program and diagnostics",
       CHECK(spans.terms.size() == rule.clause.terms.size());
       REQUIRE(spans.symbols.size() == rule.production.size());
       for (std::size_t i = 0; i < spans.symbols.size(); ++i)
-        CHECK(Text(source, spans.symbols[i])
-                  .starts_with(
-                      (*genotype.alphabet)[rule.production[i].id].name));
+        CHECK(
+            Text(source, spans.symbols[i])
+                .starts_with((*genotype.alphabet)[rule.production[i].id].name));
     }
   }
 }

@@ -27,7 +27,7 @@ TEST_CASE("a module without a mounting command is not expressed",
   BodyTurtle turtle = PaperTurtle();
   CHECK_FALSE(turtle.Mount(ModuleType::kBrick));
   turtle.SetSlot(Slot::kLeft);
-  CHECK(turtle.Mount(ModuleType::kBrick) == 1);
+  CHECK(turtle.Mount(ModuleType::kBrick).module == 1);
   // The successful mounting emptied the slot-reference.
   CHECK_FALSE(turtle.Mount(ModuleType::kBrick));
 }

@@ -1,0 +1,47 @@
+#pragma once
+
+// A development and the text that it comes from, as the writers of this folder
+// look at it. Symbols, rules, modules, nodes are numbered from 1 for people
+// and scripts, as the phenotype's ids are.
+
+#include <string>
+
+#include "compiler/source_map.h"
+#include "grammar/source.h"
+#include "runtime/trace.h"
+
+namespace plsc {
+
+/// Refers to its parts, which must outlive it.
+struct HistoryView {
+  const Source& source;
+  const Genotype& genotype;
+  const SourceMap& map;
+  const Environment& environment;
+  const History& history;
+
+  /// The insertion of symbol `index` of the final string.
+  const Insertion& At(StringIndex index) const {
+    return history.derivation[history.derivation.string()[index]];
+  }
+};
+
+/// Where the occurrence is written; of the axiom, its item's name, or nothing
+/// (an empty span) when the file leaves it out.
+Span SpanOf(const HistoryView& view, const Occurrence& occurrence);
+
+/// `A2(0.5, 2.0, 3.0, 1.0)`.
+std::string SymbolText(const Genotype& genotype, const Occurrence& occurrence);
+/// The symbol's name alone.
+const std::string& NameOf(const Genotype& genotype,
+                          const Occurrence& occurrence);
+
+/// "file:12:5" of the span's begin.
+std::string PlaceText(const Source& source, Span span);
+
+std::string NodeName(int index);                     ///< "node3"
+std::string EdgeName(const Connection& connection);  ///< "node1-node3"
+/// "front", "left", "right", "back".
+std::string_view SlotName(Slot slot);
+
+}  // namespace plsc
