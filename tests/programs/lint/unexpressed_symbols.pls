@@ -7,7 +7,7 @@ rule C -> {
   add_left  # expect warning[W4002]
   add_right
   B
-  add_right
+  add_right  # expect warning[W4002]
   A1(0.5, 1, 2, 1)  # expect warning[W4002]
   loop(0.5)  # expect warning[W4002]
   move_back  # expect warning[W4002]
