@@ -58,7 +58,8 @@ class Search {
   // rows_[d][k + d]: how far into `a` d differences reach on the diagonal
   // k = x - y, -d <= k <= d.
   int& At(int d, int k) {
-    return rows_[static_cast<std::size_t>(d)][static_cast<std::size_t>(k + d)];
+    const int column = k + d;
+    return rows_[static_cast<std::size_t>(d)][static_cast<std::size_t>(column)];
   }
   // Whether the best way to diagonal k with d differences comes from above,
   // by inserting a line of `b`.
