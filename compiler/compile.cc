@@ -9,6 +9,7 @@
 #include "compiler/lower.h"
 #include "compiler/resolve.h"
 #include "compiler/scope.h"
+#include "compiler/suppress.h"
 #include "compiler/verify.h"
 #include "grammar/parse.h"
 
@@ -55,6 +56,9 @@ Result<Program> CompileInto(const Source& source, const CompileOptions& options,
   }
 
   Append(CheckClauses(file, scope, resolution), &diagnostics);
+  const Suppressions suppressions(file);
+  diagnostics = suppressions.Keep(std::move(diagnostics));
+  Append(suppressions.diagnostics(), &diagnostics);
   SortByPosition(&diagnostics);
   Program program = Lower(file, scope, resolution);
   assert(options.allow_out_of_range || Verify(program).empty());

@@ -3,92 +3,134 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 
-#include "compiler/print.h"
 #include "compiler/truth.h"
-#include "grammar/parse.h"
 
 namespace plsc {
 
 namespace {
 
-struct Gap {
-  std::string where;  // `inclined = True and hot = True`: the first one
-  int count = 0;
-  int total = 0;
+// The rules of one symbol and where they were written.
+struct Group {
+  std::string head;
+  std::span<const Rule> rules;
+  std::span<const RuleSpans> written;
 };
 
-// The environment that `values` is, as a clause, of the states asked about.
-std::string DescribeValues(const std::vector<StateId>& asked,
-                           const std::vector<double>& values,
-                           const Genotype& genotype) {
-  Clause clause;
-  for (const StateId id : asked) {
-    Term term;
-    term.state = id;
-    term.value = values[static_cast<std::size_t>(id)];
-    if (!clause.terms.empty()) clause.connectives.push_back(Connective::kAnd);
-    clause.terms.push_back(term);
-  }
-  return PrintClause(clause, genotype);
-}
+// In which environments none, and in which several of the rules are active.
+struct Coverage {
+  TruthTable none;
+  TruthTable several;
+  bool has_constant = false;  // some rule is active everywhere
+};
 
-std::optional<Gap> FindGap(std::span<const Rule> rules,
-                           const Genotype& genotype) {
-  std::vector<const Clause*> clauses;
-  for (const Rule& rule : rules) clauses.push_back(&rule.clause);
-  const StateSpace space(clauses, genotype.states);
-  if (!space.size()) return std::nullopt;
-  Gap gap;
-  gap.total = *space.size();
-  for (int i = 0; i < gap.total; ++i) {
-    const std::vector<double> values = space.At(i);
-    const bool is_covered = std::any_of(
-        rules.begin(), rules.end(),
-        [&](const Rule& rule) { return ClauseHolds(rule.clause, values); });
-    if (is_covered) continue;
-    if (gap.count++ == 0)
-      gap.where = DescribeValues(space.states(), values, genotype);
-  }
-  if (gap.count == 0) return std::nullopt;
-  return gap;
-}
-
-// Where the file's first rule for `head` names it.
-Span FirstHead(const ast::File& file, const std::string& head) {
-  for (const ast::Rule& rule : file.rules)
-    if (file.Text(rule.head) == head) return rule.head;
-  return {};
-}
-
-Diagnostic GapWarning(const std::string& head, Span span, const Gap& gap) {
+Diagnostic Warn(const char* code, Span span, std::string message) {
   Diagnostic warning;
   warning.severity = Severity::kWarning;
-  warning.code = "W3003";
+  warning.code = code;
   warning.span = span;
-  warning.message =
-      fmt::format("no rule for '{}' is active when {}", head, gap.where);
-  warning.label = fmt::format("{} stays as it is in {} of {} environments",
-                              head, gap.count, gap.total);
+  warning.message = std::move(message);
   return warning;
+}
+
+Coverage Cover(std::span<const Rule> rules, const StateSpace& space) {
+  const int size = *space.size();
+  Coverage coverage{TruthTable(size, false), TruthTable(size, false)};
+  TruthTable& any = coverage.none;
+  for (const Rule& rule : rules) {
+    const TruthTable table = Tabulate(rule.clause, space);
+    TruthTable again = table;
+    again &= any;
+    coverage.several |= again;
+    any |= table;
+    coverage.has_constant |= table.Count() == size;
+  }
+  coverage.none.Invert();
+  return coverage;
+}
+
+std::optional<Diagnostic> GapWarning(const Group& group, const TruthTable& none,
+                                     const StateSpace& space,
+                                     const std::vector<State>& states) {
+  const std::optional<int> first = none.First();
+  if (!first) return std::nullopt;
+  Diagnostic warning =
+      Warn("W3003", group.written[0].head,
+           fmt::format("no rule for '{}' is active when {}", group.head,
+                       space.Describe(*first, states)));
+  warning.label = fmt::format("{} stays as it is in {} of {} environments",
+                              group.head, none.Count(), *space.size());
+  return warning;
+}
+
+std::optional<Diagnostic> JoinWarning(const Group& group,
+                                      const TruthTable& several,
+                                      const StateSpace& space,
+                                      const std::vector<State>& states) {
+  const std::optional<int> first = several.First();
+  if (!first) return std::nullopt;
+  const std::vector<double> values = space.At(*first);
+  std::vector<Span> active;
+  for (std::size_t i = 0; i < group.rules.size(); ++i)
+    if (ClauseHolds(group.rules[i].clause, values))
+      active.push_back(group.written[i].clause);
+  assert(active.size() >= 2);
+  Diagnostic warning =
+      Warn("W3004", active[1],
+           fmt::format("{} rules for '{}' are active when {}", active.size(),
+                       group.head, space.Describe(*first, states)));
+  warning.label = fmt::format("joined in {} of {} environments",
+                              several.Count(), *space.size());
+  warning.others.push_back({active[0], "holds there too"});
+  warning.help =
+      "make the clauses exclude each other, or write '# plsc: allow W3004' "
+      "if the productions are meant to be joined";
+  return warning;
+}
+
+void LintGroup(const Group& group, const std::vector<State>& states,
+               std::vector<Diagnostic>* warnings) {
+  std::vector<const Clause*> clauses;
+  for (const Rule& rule : group.rules) clauses.push_back(&rule.clause);
+  const StateSpace space(clauses, states);
+  if (!space.size()) {
+    warnings->push_back(
+        Warn("W3005", group.written[0].head,
+             fmt::format("the clauses for '{}' tell apart more than {} "
+                         "environments; not checked",
+                         group.head, StateSpace::kMaxCombinations)));
+    return;
+  }
+  const Coverage coverage = Cover(group.rules, space);
+  if (auto gap = GapWarning(group, coverage.none, space, states))
+    warnings->push_back(std::move(*gap));
+  // Beside a rule that is always active, others can only be meant to be
+  // joined.
+  if (coverage.has_constant) return;
+  if (auto join = JoinWarning(group, coverage.several, space, states))
+    warnings->push_back(std::move(*join));
 }
 
 }  // namespace
 
-std::vector<Diagnostic> Lint(const Program& program, const Source& source) {
-  const ParseResult parsed = Parse(source);
+std::vector<Diagnostic> LintClauses(const Program& program,
+                                    const SourceMap& map) {
   const Genotype& genotype = program.genotype;
+  assert(map.rules.size() == genotype.rules.size());
   std::vector<Diagnostic> warnings;
   const std::span<const Rule> rules = genotype.rules;
   for (std::size_t begin = 0; begin < rules.size();) {
     std::size_t end = begin + 1;
     while (end < rules.size() && rules[end].head == rules[begin].head) ++end;
-    const std::string& head = (*genotype.alphabet)[rules[begin].head].name;
-    if (const auto gap = FindGap(rules.subspan(begin, end - begin), genotype))
-      warnings.push_back(GapWarning(head, FirstHead(parsed.file, head), *gap));
+    const Group group{(*genotype.alphabet)[rules[begin].head].name,
+                      rules.subspan(begin, end - begin),
+                      std::span(map.rules).subspan(begin, end - begin)};
+    LintGroup(group, genotype.states, &warnings);
     begin = end;
   }
   return warnings;

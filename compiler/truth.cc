@@ -1,13 +1,14 @@
 #include "compiler/truth.h"
 
 #include <algorithm>
+#include <bit>
+#include <cassert>
 
 namespace plsc {
 
 namespace {
 
-bool TermHolds(const Term& term, std::span<const double> values) {
-  const double value = values[static_cast<std::size_t>(term.state)];
+bool Compare(const Term& term, double value) {
   switch (term.comparison) {
     case Comparison::kEqual:
       return value == term.value;
@@ -25,38 +26,39 @@ bool TermHolds(const Term& term, std::span<const double> values) {
   return false;
 }
 
-// The ends, the thresholds within, and a value between each two neighbours.
-std::vector<double> RealSamples(const State& state,
-                                const std::vector<double>& thresholds) {
-  std::vector<double> points = {state.low, state.high};
-  for (const double threshold : thresholds)
-    if (threshold > state.low && threshold < state.high)
-      points.push_back(threshold);
-  std::sort(points.begin(), points.end());
-  points.erase(std::unique(points.begin(), points.end()), points.end());
-  std::vector<double> samples;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    // Halved first: the sum of two large bounds could overflow.
-    if (i > 0) samples.push_back(points[i - 1] / 2 + points[i] / 2);
-    samples.push_back(points[i]);
-  }
-  return samples;
+bool TermHolds(const Term& term, std::span<const double> values) {
+  return Compare(term, values[static_cast<std::size_t>(term.state)]);
 }
 
-std::vector<double> Samples(const State& state,
-                            const std::vector<double>& thresholds) {
-  switch (state.type) {
-    case StateType::kBool:
-      return {0, 1};
-    case StateType::kReal:
-      return RealSamples(state, thresholds);
-    case StateType::kEnum:
-      break;
+// In which environments a term holds: runs of `stride` bits that repeat.
+TruthTable TabulateTerm(const Term& term, const StateSpace& space) {
+  const auto found =
+      std::find(space.states().begin(), space.states().end(), term.state);
+  assert(found != space.states().end());
+  const auto position =
+      static_cast<std::size_t>(found - space.states().begin());
+  const std::vector<ValueClass>& classes = space.classes(position);
+  const std::size_t stride = space.stride(position);
+  const auto size = static_cast<std::size_t>(*space.size());
+  const std::size_t period = stride * classes.size();
+  // Most periods fit a word many times: make one word of it.
+  const bool is_short = 64 % period == 0;
+  TruthTable table(is_short ? 64 : *space.size(), false);
+  const std::size_t made = is_short ? 64 : size;
+  for (std::size_t k = 0; k < classes.size(); ++k) {
+    if (!Compare(term, classes[k].value)) continue;
+    for (std::size_t begin = k * stride; begin < made; begin += period)
+      table.SetRange(begin, begin + stride);
   }
-  std::vector<double> samples(state.values.size());
-  for (std::size_t i = 0; i < samples.size(); ++i)
-    samples[i] = static_cast<double>(i);
-  return samples;
+  if (is_short) table.Repeat(*space.size());
+  return table;
+}
+
+// The bits [begin, end) of a word; end is at most 64.
+std::uint64_t Mask(std::size_t begin, std::size_t end) {
+  const std::uint64_t below_end =
+      end == 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << end) - 1;
+  return below_end & (~std::uint64_t{0} << begin);
 }
 
 }  // namespace
@@ -77,37 +79,75 @@ bool ClauseHolds(const Clause& clause, std::span<const double> values) {
   return group;
 }
 
-StateSpace::StateSpace(std::span<const Clause* const> clauses,
-                       const std::vector<State>& states)
-    : state_count_(states.size()) {
-  for (const Clause* clause : clauses)
-    for (const Term& term : clause->terms) ids_.push_back(term.state);
-  std::sort(ids_.begin(), ids_.end());
-  ids_.erase(std::unique(ids_.begin(), ids_.end()), ids_.end());
-  std::size_t size = 1;
-  for (const StateId id : ids_) {
-    std::vector<double> thresholds;
-    for (const Clause* clause : clauses)
-      for (const Term& term : clause->terms)
-        if (term.state == id) thresholds.push_back(term.value);
-    samples_.push_back(
-        Samples(states[static_cast<std::size_t>(id)], thresholds));
-    size *= samples_.back().size();
-    if (size > kMaxCombinations) return;
-  }
-  size_ = static_cast<int>(size);
+TruthTable::TruthTable(int size, bool value)
+    : size_(size), words_((static_cast<std::size_t>(size) + 63) / 64, 0) {
+  if (value) SetRange(0, static_cast<std::size_t>(size));
 }
 
-std::vector<double> StateSpace::At(int index) const {
-  std::vector<double> values(state_count_, 0.0);
-  auto rest = static_cast<std::size_t>(index);
-  // The last state varies fastest, as in a written truth table.
-  for (std::size_t i = ids_.size(); i-- > 0;) {
-    const std::vector<double>& samples = samples_[i];
-    values[static_cast<std::size_t>(ids_[i])] = samples[rest % samples.size()];
-    rest /= samples.size();
+int TruthTable::Count() const {
+  int count = 0;
+  for (const std::uint64_t word : words_) count += std::popcount(word);
+  return count;
+}
+
+std::optional<int> TruthTable::First() const {
+  for (std::size_t i = 0; i < words_.size(); ++i)
+    if (words_[i] != 0)
+      return static_cast<int>(i * 64) + std::countr_zero(words_[i]);
+  return std::nullopt;
+}
+
+void TruthTable::SetRange(std::size_t begin, std::size_t end) {
+  while (begin < end) {
+    const std::size_t word_end = std::min(end, (begin / 64 + 1) * 64);
+    words_[begin / 64] |= Mask(begin % 64, (word_end - 1) % 64 + 1);
+    begin = word_end;
   }
-  return values;
+}
+
+void TruthTable::ClearUnused() {
+  const std::size_t used = static_cast<std::size_t>(size_) % 64;
+  if (used != 0) words_.back() &= Mask(0, used);
+}
+
+void TruthTable::Repeat(int size) {
+  assert(size_ == 64 && size > 0);
+  size_ = size;
+  words_.resize((static_cast<std::size_t>(size) + 63) / 64, words_[0]);
+  ClearUnused();
+}
+
+void TruthTable::Invert() {
+  for (std::uint64_t& word : words_) word = ~word;
+  ClearUnused();
+}
+
+TruthTable& TruthTable::operator&=(const TruthTable& other) {
+  assert(size_ == other.size_);
+  for (std::size_t i = 0; i < words_.size(); ++i) words_[i] &= other.words_[i];
+  return *this;
+}
+
+TruthTable& TruthTable::operator|=(const TruthTable& other) {
+  assert(size_ == other.size_);
+  for (std::size_t i = 0; i < words_.size(); ++i) words_[i] |= other.words_[i];
+  return *this;
+}
+
+TruthTable Tabulate(const Clause& clause, const StateSpace& space) {
+  if (clause.terms.empty()) return {*space.size(), true};
+  TruthTable all(*space.size(), false);
+  TruthTable group = TabulateTerm(clause.terms[0], space);
+  for (std::size_t i = 1; i < clause.terms.size(); ++i) {
+    if (clause.connectives[i - 1] == Connective::kAnd) {
+      group &= TabulateTerm(clause.terms[i], space);
+    } else {
+      all |= group;
+      group = TabulateTerm(clause.terms[i], space);
+    }
+  }
+  all |= group;
+  return all;
 }
 
 std::optional<TruthCount> CountTruth(const Clause& clause,
@@ -115,11 +155,7 @@ std::optional<TruthCount> CountTruth(const Clause& clause,
   const Clause* const one = &clause;
   const StateSpace space({&one, 1}, states);
   if (!space.size()) return std::nullopt;
-  TruthCount count;
-  count.total = *space.size();
-  for (int i = 0; i < count.total; ++i)
-    if (ClauseHolds(clause, space.At(i))) ++count.holds;
-  return count;
+  return TruthCount{Tabulate(clause, space).Count(), *space.size()};
 }
 
 }  // namespace plsc

@@ -1,9 +1,8 @@
 #pragma once
 
-// Truth tables of clauses. A clause can tell apart only finitely many
-// environments: the values of bool and enum states, and for real states the
-// thresholds that it names and what lies between them. Enumerating these
-// decides what holds in every environment.
+// Truth tables of clauses: one bit for each environment of a StateSpace, so
+// that a table of 65,536 rows is a thousand machine words, and `and` and `or`
+// take a thousand operations.
 
 #include <cstdint>
 #include <optional>
@@ -11,6 +10,7 @@
 #include <vector>
 
 #include "compiler/genotype.h"
+#include "compiler/state_space.h"
 
 namespace plsc {
 
@@ -18,29 +18,38 @@ namespace plsc {
 /// than `or`; a clause without terms holds.
 bool ClauseHolds(const Clause& clause, std::span<const double> values);
 
-/// The environments that a list of clauses can tell apart.
-class StateSpace {
+/// A set of environments. Operators want tables of one space.
+class TruthTable {
  public:
-  StateSpace(std::span<const Clause* const> clauses,
-             const std::vector<State>& states);
+  TruthTable(int size, bool value);
 
-  /// How many, or nothing if beyond kMaxCombinations.
-  std::optional<int> size() const { return size_; }
-  /// The states that the clauses ask about, in declaration order.
-  const std::vector<StateId>& states() const { return ids_; }
-  /// Number `index` of them; states that no clause asks about are 0.
-  std::vector<double> At(int index) const;
+  int size() const { return size_; }
+  bool operator[](int index) const {
+    const auto i = static_cast<std::size_t>(index);
+    return (words_[i / 64] >> (i % 64) & 1U) != 0;
+  }
+  int Count() const;
+  /// The first environment in it; nothing when it is empty.
+  std::optional<int> First() const;
+  /// Adds environments [begin, end).
+  void SetRange(std::size_t begin, std::size_t end);
+  void Invert();
+  /// A table of 64 becomes one of `size`: its word again and again.
+  void Repeat(int size);
 
-  /// Some ten states of two values; a table that anybody would still look at
-  /// is far smaller.
-  static constexpr int kMaxCombinations = 4096;
+  TruthTable& operator&=(const TruthTable& other);
+  TruthTable& operator|=(const TruthTable& other);
 
  private:
-  std::vector<StateId> ids_;
-  std::vector<std::vector<double>> samples_;  // by position in ids_
-  std::size_t state_count_ = 0;
-  std::optional<int> size_;
+  void ClearUnused();
+
+  int size_;
+  std::vector<std::uint64_t> words_;  // bits beyond size_ are 0
 };
+
+/// In which environments of `space`, which knows all states of the clause, it
+/// holds. The space has a size.
+TruthTable Tabulate(const Clause& clause, const StateSpace& space);
 
 /// In how many of how many environments a clause holds.
 struct TruthCount {

@@ -57,7 +57,9 @@ constexpr CodeInfo kCodes[] = {
     {"P5014", "a file that cannot be read"},
     {"P5015", "a file that is too large"},
     {"P5016", "a file that is not a text"},
-    {"P5100", "a scenario or experiment that is not YAML"},
+    {"P5100",
+     "a scenario or experiment that is not YAML, or a golden file that is "
+     "not JSON"},
     {"P5101", "a key of YAML that does not exist here"},
     {"P5102", "a key of YAML that is given twice"},
     {"P5103", "a value of YAML of the wrong kind"},
@@ -66,10 +68,19 @@ constexpr CodeInfo kCodes[] = {
     {"P5106", "a key of YAML that is required"},
     {"P5107", "a word of YAML that is none of those expected"},
     {"P5108", "values of YAML that do not fit together"},
+    {"W1001", "a '# plsc:' comment that asks for what does not exist"},
     {"W3002", "a clause that is true, or false, in every environment"},
     {"W3003",
      "a symbol without an active rule in some environment (on "
      "request)"},
+    {"W3004",
+     "several rules of one symbol with clauses are active at once (on "
+     "request)"},
+    {"W3005", "clauses that tell apart too many environments to be checked"},
+    {"W4001", "a string that in some environment grows too long (on request)"},
+    {"W4002",
+     "a symbol that is expressed in no environment, or a rule that is used "
+     "in none (on request)"},
 };
 
 }  // namespace

@@ -45,4 +45,18 @@ ActiveRules Regulate(const Genotype& genotype, const Environment& environment) {
   return active;
 }
 
+std::vector<SymbolRules> BySymbol(const Genotype& genotype,
+                                  const ActiveRules& active) {
+  std::vector<SymbolRules> symbols;
+  for (const Rule& rule : genotype.rules)  // grouped by head
+    if (symbols.empty() || symbols.back().symbol != rule.head)
+      symbols.push_back({rule.head, {}});
+  auto symbol = symbols.begin();
+  for (const RuleIndex index : active.rules) {
+    while (symbol->symbol != genotype.rules[index].head) ++symbol;
+    symbol->active.push_back(index);
+  }
+  return symbols;
+}
+
 }  // namespace plsc

@@ -40,4 +40,13 @@ struct ActiveRules {
 /// (the authors' program joined the rules inside it, decision 0001).
 ActiveRules Regulate(const Genotype& genotype, const Environment& environment);
 
+/// The active rules of one symbol, in the order in which they are joined.
+struct SymbolRules {
+  SymbolId symbol{};
+  std::vector<RuleIndex> active;  ///< none: the symbol stays as it is
+};
+/// Of every symbol that has rules, in alphabet order.
+std::vector<SymbolRules> BySymbol(const Genotype& genotype,
+                                  const ActiveRules& active);
+
 }  // namespace plsc

@@ -81,6 +81,9 @@ CLI::App* AddCheck(CLI::App& app, CheckCommand& command) {
                   "shows all")
       ->check(CLI::Range(0, 1000000))
       ->option_text("N");
+  sub->add_flag("--lint", command.lint,
+                "also show the warnings of 'plsc lint'; they change no exit "
+                "status");
   sub->footer(
       "Prints every error that can be found, with file:line:column, the line, "
       "a caret\nand what was expected. Exit status 1 if there is any.\n\n"
@@ -135,6 +138,10 @@ CLI::App* AddFmt(CLI::App& app, FmtCommand& command) {
       ->required();
   sub->add_flag("--check", command.check,
                 "write nothing; exit status 1 names files that would change");
+  sub->add_flag("--diff", command.diff,
+                "write nothing; print what would change as a unified diff; "
+                "exit status 1 if anything would")
+      ->excludes("--check");
   sub->add_flag("--stdout", command.to_stdout,
                 "print the result instead of writing the file");
   sub->add_flag("--compact", command.compact,
@@ -171,6 +178,60 @@ CLI::App* AddDevelop(CLI::App& app, DevelopCommand& command) {
       "  plsc develop robot.pls --env flat --env tilted --svg pictures\n"
       "  plsc develop robot.pls --env flat --format json | jq .body\n"
       "  plsc develop robot.pls --env flat --trace");
+  return sub;
+}
+
+CLI::App* AddLint(CLI::App& app, LintCommand& command) {
+  CLI::App* sub =
+      app.add_subcommand("lint", "Warn of what is right but may not be meant");
+  sub->add_option("FILE", command.files, "genotype files; - is standard input")
+      ->required();
+  AddFormat(sub, command.format, "one diagnostic a line");
+  sub->add_flag("--deny", command.deny, "exit status 1 if there is a warning");
+  sub->add_flag("--allow-range", command.allow_range,
+                "arguments outside their range are warnings, not errors");
+  sub->footer(
+      "Looks at every environment that the clauses can tell apart, and "
+      "develops there:\nclauses that are always true or never (W3002), "
+      "environments in which no rule of a\nsymbol is active (W3003) or several "
+      "at once (W3004), strings that would grow too\nlong (W4001), symbols and "
+      "rules that never do anything (W4002). A comment\n'# plsc: allow W3003' "
+      "before an item or behind it silences a warning there,\n'# plsc: "
+      "allow-file W3003' in the whole file. Exit status 0 with warnings, 1 "
+      "with\nerrors or, with --deny, with any warning.\n\n"
+      "  plsc lint robots/*.pls\n"
+      "  plsc lint --deny --format json robot.pls | jq .message");
+  return sub;
+}
+
+CLI::App* AddRegulate(CLI::App& app, RegulateCommand& command) {
+  CLI::App* sub = app.add_subcommand(
+      "regulate", "Show which rules are active where, and what they make");
+  sub->add_option("FILE", command.file, "a genotype file; - is standard input")
+      ->required();
+  CLI::Option* env =
+      sub->add_option("--env", command.environments,
+                      "STATE=VALUE,... or the name of an environment of the "
+                      "file; may be repeated (default: every environment that "
+                      "the file names)")
+          ->option_text("ENVIRONMENT")
+          ->expected(1)
+          ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  sub->add_flag("--table", command.table,
+                "the truth table of all environments that clauses can tell "
+                "apart, a row each")
+      ->excludes(env);
+  AddFormat(sub, command.format, "one environment a line");
+  sub->add_flag("--allow-range", command.allow_range,
+                "arguments outside their range are warnings, not errors");
+  sub->footer(
+      "Rules are numbered from 1, by symbol in the order of the alphabet, then "
+      "as in the\nfile. In place of rules, - is a gap (the symbol stays as it "
+      "is) and 1+2 means that\nboth productions are joined. In tables a|b are "
+      "values that no clause tells apart,\n5..<9 the numbers from 5 to below "
+      "9.\n\n"
+      "  plsc regulate robot.pls --env inclined=True,hot=False\n"
+      "  plsc regulate robot.pls --table");
   return sub;
 }
 
@@ -411,6 +472,8 @@ Command ParseArguments(const std::vector<std::string>& arguments) {
   FixCommand fix;
   FmtCommand fmt;
   DevelopCommand develop;
+  LintCommand lint;
+  RegulateCommand regulate;
   SimulateCommand simulate;
   EvolveCommand evolve;
   RandomCommand random;
@@ -421,6 +484,8 @@ Command ParseArguments(const std::vector<std::string>& arguments) {
   const CLI::App* fix_app = AddFix(app, fix);
   const CLI::App* fmt_app = AddFmt(app, fmt);
   const CLI::App* develop_app = AddDevelop(app, develop);
+  const CLI::App* lint_app = AddLint(app, lint);
+  const CLI::App* regulate_app = AddRegulate(app, regulate);
   const CLI::App* simulate_app = AddSimulate(app, simulate);
   const CLI::App* evolve_app = AddEvolve(app, evolve);
   const CLI::App* why_app = AddWhy(app, why);
@@ -446,6 +511,8 @@ Command ParseArguments(const std::vector<std::string>& arguments) {
   if (fix_app->parsed()) return fix;
   if (fmt_app->parsed()) return fmt;
   if (develop_app->parsed()) return develop;
+  if (lint_app->parsed()) return lint;
+  if (regulate_app->parsed()) return regulate;
   if (simulate_app->parsed()) return simulate;
   if (evolve_app->parsed()) return evolve;
   if (why_app->parsed()) return why;

@@ -7,6 +7,7 @@
 #include "runtime/cli/diagnostic_json.h"
 #include "runtime/cli/github_annotation.h"
 #include "runtime/cli/sarif.h"
+#include "runtime/lint.h"
 
 namespace plsc::cli {
 
@@ -58,16 +59,20 @@ Checked CheckOne(const std::string& name, const CheckCommand& command, Io& io) {
   }
   CompileOptions options;
   options.allow_out_of_range = command.allow_range;
-  const Result<Program> program = Compile(*source, options);
-  CheckedFile file{*source, program.diagnostics()};
+  const Result<MappedProgram> compiled = CompileWithMap(*source, options);
+  CheckedFile file{*source, compiled.diagnostics()};
+  if (compiled && command.lint)
+    for (Diagnostic& warning : Lint(*compiled, *source))
+      file.diagnostics.push_back(std::move(warning));
   Show(file, command, io);
-  if (program && is_text)
+  const Program* program = compiled ? &compiled->program : nullptr;
+  if (program != nullptr && is_text)
     io.out << fmt::format(
         "{}: genotype {}, alphabet {}, {} rules, {} states, {} environments\n",
         source->name(), program->genotype.name,
         program->genotype.alphabet->name(), program->genotype.rules.size(),
         program->genotype.states.size(), program->environments.size());
-  return {std::move(file), static_cast<bool>(program)};
+  return {std::move(file), program != nullptr};
 }
 
 }  // namespace

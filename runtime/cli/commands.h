@@ -25,6 +25,7 @@ struct CheckCommand {
   std::vector<std::string> files;
   CheckFormat format = CheckFormat::kText;
   bool allow_range = false;
+  bool lint = false;
   ColorChoice color = ColorChoice::kAuto;
   int max_errors = 20;  ///< a file, text format only; 0 shows all
 };
@@ -44,6 +45,7 @@ struct FixCommand {
 struct FmtCommand {
   std::vector<std::string> files;
   bool check = false;
+  bool diff = false;
   bool to_stdout = false;
   bool compact = false;
 };
@@ -54,6 +56,21 @@ struct DevelopCommand {
   OutputFormat format = OutputFormat::kText;
   std::string svg_folder;  ///< empty: none
   bool trace = false;
+  bool allow_range = false;
+};
+
+struct LintCommand {
+  std::vector<std::string> files;
+  OutputFormat format = OutputFormat::kText;
+  bool deny = false;
+  bool allow_range = false;
+};
+
+struct RegulateCommand {
+  std::string file;
+  std::vector<std::string> environments;  ///< as in DevelopCommand
+  bool table = false;
+  OutputFormat format = OutputFormat::kText;
   bool allow_range = false;
 };
 
@@ -113,8 +130,9 @@ struct Answer {
 
 using Command =
     std::variant<Answer, CheckCommand, DevelopCommand, EvolveCommand,
-                 ExplainCommand, FixCommand, FmtCommand, RandomCommand,
-                 SimulateCommand, TestCommand, WhyCommand>;
+                 ExplainCommand, FixCommand, FmtCommand, LintCommand,
+                 RandomCommand, RegulateCommand, SimulateCommand, TestCommand,
+                 WhyCommand>;
 
 /// `arguments` without the program's name.
 Command ParseArguments(const std::vector<std::string>& arguments);
@@ -125,6 +143,8 @@ Exit Run(const ExplainCommand& command, Io& io);
 Exit Run(const FixCommand& command, Io& io);
 Exit Run(const FmtCommand& command, Io& io);
 Exit Run(const DevelopCommand& command, Io& io);
+Exit Run(const LintCommand& command, Io& io);
+Exit Run(const RegulateCommand& command, Io& io);
 Exit Run(const SimulateCommand& command, Io& io);
 Exit Run(const EvolveCommand& command, Io& io);
 Exit Run(const RandomCommand& command, Io& io);

@@ -16,6 +16,7 @@
 #include "runtime/formats/history_json.h"
 #include "runtime/formats/history_text.h"
 #include "runtime/formats/phenotype_json.h"
+#include "runtime/growth.h"
 
 namespace plsc::cli {
 
@@ -31,6 +32,8 @@ std::optional<Developed> DevelopIn(const Genotype& genotype,
                                    const Environment& environment) {
   Developed developed;
   developed.active = Regulate(genotype, environment);
+  if (DerivedLength(genotype, developed.active) > kMaxStringLength)
+    return std::nullopt;
   std::optional<SymbolString> string = Derive(genotype, developed.active);
   if (!string) return std::nullopt;
   developed.string = std::move(*string);
@@ -172,7 +175,7 @@ Exit Run(const DevelopCommand& command, Io& io) {
   for (const NamedEnvironment& named : *environments) {
     const auto developed = DevelopIn(genotype, named.environment);
     if (!developed || !Print(command, *loaded, named, *developed, io)) {
-      ReportGrowth(genotype, named, io);
+      ReportGrowth(*loaded, named, io);
       return Exit::kBadInput;
     }
     if (!command.svg_folder.empty() &&

@@ -53,6 +53,21 @@ iterations 3
 rule C -> { C B }
 rule B -> { B B }
 )"},
+    {"W1001", ExampleKind::kGenotype,
+     R"(A comment that begins with "plsc:" speaks to the compiler: "allow CODE"
+or "allow-file CODE", with the code of a warning. This one asks for what
+does not exist.
+)",
+     R"(plsc 1
+# plsc: allow W9999
+alphabet plasticoding 1
+rule C -> { C }
+)",
+     R"(plsc 1
+# plsc: allow W3003
+alphabet plasticoding 1
+rule C -> { C }
+)"},
     {"W3002", ExampleKind::kGenotype,
      R"(The clause has the same truth value in every environment. A rule that is
 always active is clearer without a clause; one that is never active does
@@ -76,13 +91,107 @@ missing.
      R"(plsc 1
 alphabet plasticoding 1
 sense hot: bool
-rule B -> if hot = True then { T(0.5) }
+iterations 2
+rule C -> { C add_left B move_left }
+rule B -> if hot = True then { B add_front B }
 )",
      R"(plsc 1
 alphabet plasticoding 1
 sense hot: bool
-rule B -> if hot = True then { T(0.5) }
-rule B -> if hot = False then { T(0.1) }
+iterations 2
+rule C -> { C add_left B move_left }
+rule B -> if hot = True then { B add_front B }
+rule B -> if hot = False then { B add_right B }
+)"},
+    {"W3004", ExampleKind::kLint,
+     R"(Several rules of one symbol, each with a clause, are active at once in
+some environment, and their productions are joined there. That may be
+meant; often the clauses were thought to exclude each other.
+)",
+     R"(plsc 1
+alphabet plasticoding 1
+sense hot: bool
+sense wet: bool
+iterations 1
+rule C -> if hot = True then { C add_left B }
+rule C -> if wet = True or hot = False then { C add_right B }
+)",
+     R"(plsc 1
+alphabet plasticoding 1
+sense hot: bool
+sense wet: bool
+iterations 1
+rule C -> if hot = True then { C add_left B }
+rule C -> if hot = False then { C add_right B }
+)"},
+    {"W3005", ExampleKind::kLint,
+     R"(The clauses ask about so many states that there are too many environments
+to look at (more than 65,536), so the lints that look at all of them were
+left out. The genotype is correct.
+)",
+     R"(plsc 1
+alphabet plasticoding 1
+iterations 1
+sense a: bool sense b: bool sense c: bool
+sense d: bool sense e: bool sense f: bool
+sense g: bool sense h: bool sense i: bool
+sense j: bool sense k: bool sense l: bool
+sense m: bool sense n: bool sense o: bool
+sense p: bool sense q: bool
+rule C -> if a = True and b = True and c = True and d = True and
+  e = True and f = True and g = True and h = True and i = True and
+  j = True and k = True and l = True and m = True and n = True and
+  o = True and p = True and q = True
+then { C add_left B }
+rule C -> { C }
+)",
+     R"(plsc 1
+alphabet plasticoding 1
+iterations 1
+sense a: bool sense b: bool sense c: bool
+sense d: bool sense e: bool sense f: bool
+sense g: bool sense h: bool sense i: bool
+sense j: bool sense k: bool sense l: bool
+sense m: bool sense n: bool sense o: bool
+sense p: bool sense q: bool
+rule C -> if a = True and b = True
+then { C add_left B }
+rule C -> { C }
+)"},
+    {"W4001", ExampleKind::kLint,
+     R"(In some environment the string would grow beyond its limit, so that no
+robot develops there (P4001). Found by counting, without developing.
+)",
+     R"(plsc 1
+alphabet plasticoding 1
+sense hot: bool
+iterations 30
+rule C -> { C add_left B }
+rule B -> if hot = True then { B B B }
+rule B -> if hot = False then { B }
+)",
+     R"(plsc 1
+alphabet plasticoding 1
+sense hot: bool
+iterations 3
+rule C -> { C add_left B }
+rule B -> if hot = True then { B add_front B move_front }
+rule B -> if hot = False then { B }
+)"},
+    {"W4002", ExampleKind::kLint,
+     R"(In no environment does the symbol change the robot, or the rule is used
+in none: a module without a mounting command, a slot that is always
+taken, a command without the node that it needs.
+)",
+     R"(plsc 1
+alphabet plasticoding 1
+iterations 1
+rule C -> { C B add_left B }
+)",
+     R"(plsc 1
+alphabet plasticoding 1
+iterations 1
+rule C -> { C add_left B }
 )"},
 };
 

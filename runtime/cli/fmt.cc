@@ -4,6 +4,7 @@
 
 #include "compiler/format.h"
 #include "runtime/cli/commands.h"
+#include "runtime/formats/unified_diff.h"
 
 namespace plsc::cli {
 
@@ -28,6 +29,11 @@ bool FormatOne(const std::string& file, const FmtCommand& command, Io& io) {
   const bool is_same = *formatted == source->text();
   if (command.check) {
     if (!is_same) io.out << source->name() << '\n';
+    return is_same;
+  }
+  if (command.diff) {
+    io.out << UnifiedDiff(source->text(), *formatted, source->name(),
+                          source->name() + " (formatted)");
     return is_same;
   }
   if (command.to_stdout || file == "-") {

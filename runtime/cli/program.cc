@@ -9,6 +9,8 @@
 #include "compiler/print.h"
 #include "runtime/derive.h"
 #include "runtime/environment.h"
+#include "runtime/growth.h"
+#include "runtime/lint.h"
 
 namespace plsc::cli {
 
@@ -88,13 +90,21 @@ std::optional<LoadedProgram> LoadWithMap(const std::string& path,
   return LoadedProgram{std::move(*source), std::move(*mapped)};
 }
 
-void ReportGrowth(const Genotype& genotype, const NamedEnvironment& named,
+void ReportGrowth(const LoadedProgram& loaded, const NamedEnvironment& named,
                   Io& io) {
+  const Genotype& genotype = loaded.mapped.program.genotype;
+  const ActiveRules active = Regulate(genotype, named.environment);
+  const std::uint64_t length = DerivedLength(genotype, active);
+  if (length > kMaxStringLength) {
+    Report(
+        {GrowthError(loaded.mapped, loaded.source, active, length, named.name)},
+        loaded.source, io);
+    return;
+  }
   io.err << fmt::format(
-      "error[P4001]: in {}, development would produce more than {} symbols\n"
-      "  = help: lower 'iterations' (now {}), or let rules replace themselves "
-      "by fewer modules\n",
-      named.name, kMaxStringLength, genotype.development.iterations);
+      "error: in {}, the history of development has too many symbols to be "
+      "kept\n",
+      named.name);
 }
 
 std::optional<std::vector<NamedEnvironment>> ChooseEnvironments(

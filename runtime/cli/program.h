@@ -25,7 +25,7 @@ std::optional<LoadedProgram> LoadWithMap(const std::string& path,
                                          bool allow_range, Io& io);
 
 /// Says that development would outgrow its limit in that environment.
-void ReportGrowth(const Genotype& genotype, const NamedEnvironment& named,
+void ReportGrowth(const LoadedProgram& loaded, const NamedEnvironment& named,
                   Io& io);
 
 /// The environments that a command line means: each `text` is a name that the

@@ -149,7 +149,7 @@ Exit Explain(const LoadedProgram& loaded, const Question& question,
   for (const NamedEnvironment& named : *environments) {
     const auto history = DevelopWithHistory(genotype, named.environment);
     if (!history) {
-      ReportGrowth(genotype, named, io);
+      ReportGrowth(loaded, named, io);
       return Exit::kBadInput;
     }
     const HistoryView view{loaded.source, genotype, loaded.mapped.map,

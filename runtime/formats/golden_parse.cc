@@ -230,7 +230,7 @@ Golden ReadGolden(JsonReader& reader, const JsonValue& root) {
 Diagnostic NotJson(const Json::exception& error, std::size_t byte,
                    std::size_t size) {
   Diagnostic diagnostic;
-  diagnostic.code = "P5109";
+  diagnostic.code = "P5100";
   const auto at =
       static_cast<std::uint32_t>(std::min(byte == 0 ? 0 : byte - 1, size));
   diagnostic.span = {at, at};

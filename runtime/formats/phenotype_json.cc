@@ -5,6 +5,7 @@
 
 #include "runtime/formats/descriptors_json.h"
 #include "runtime/formats/environment_json.h"
+#include "runtime/formats/symbol_json.h"
 #include "runtime/regulate.h"
 
 namespace plsc {
@@ -12,26 +13,6 @@ namespace plsc {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json Number(double value, bool is_integer) {
-  // Whole numbers beyond 2^53 keep their double form.
-  if (is_integer && value < 9007199254740992.0)
-    return static_cast<std::int64_t>(value);
-  return value;
-}
-
-Json SymbolJson(const Genotype& genotype, const Occurrence& occurrence) {
-  const SymbolInfo& info = (*genotype.alphabet)[occurrence.symbol];
-  Json arguments = Json::array();
-  if (occurrence.rule != kNoRule) {
-    const Symbol& symbol =
-        genotype.rules[occurrence.rule].production[occurrence.position];
-    for (std::size_t i = 0; i < info.parameters.size(); ++i)
-      arguments.push_back(
-          Number(symbol.arguments[i], info.parameters[i].is_integer));
-  }
-  return Json::array({info.name, std::move(arguments)});
-}
 
 const char* FacingName(Facing facing) {
   constexpr std::array<const char*, 4> kNames{"front", "left", "back", "right"};

@@ -87,7 +87,7 @@ TEST_CASE("Clauses that are constant are warned of", "[check]") {
 TEST_CASE("A table too large to look at is not made", "[check]") {
   std::string text = "plsc 1 alphabet plasticoding 1\n";
   std::string clause;
-  for (int i = 0; i < 14; ++i) {
+  for (int i = 0; i < 17; ++i) {
     const std::string state = "s" + std::to_string(i);
     text += "sense " + state + ": bool\n";
     clause +=

@@ -71,32 +71,93 @@ TEST_CASE("and binds tighter than or", "[truth]") {
   CHECK(count->total == 8);
 }
 
-TEST_CASE("Real states are told apart at and between thresholds", "[truth]") {
-  const Genotype genotype =
-      Compiled(
-          "plsc 1 alphabet plasticoding 1 sense r: real in 0..10 "
-          "rule B -> if r < 4 or r > 6 then { B }")
-          .genotype;
-  const Clause* const one = &genotype.rules[0].clause;
-  const StateSpace space({&one, 1}, genotype.states);
-  REQUIRE(space.size() == 7);  // 0, 2, 4, 5, 6, 8, 10
-  std::vector<double> samples;
-  for (int i = 0; i < 7; ++i) samples.push_back(space.At(i)[0]);
-  CHECK(samples == std::vector<double>{0, 2, 4, 5, 6, 8, 10});
+TEST_CASE("A table holds what each clause says, environment by environment",
+          "[truth]") {
+  int checked = 0;
+  for (std::uint32_t seed = 1; seed <= 1000; ++seed) {
+    const Genotype genotype = testing::RandomProgram(seed).genotype;
+    const StateSpace space(genotype);
+    if (!space.size()) continue;
+    for (const Rule& rule : genotype.rules) {
+      const TruthTable table = Tabulate(rule.clause, space);
+      REQUIRE(table.size() == *space.size());
+      int count = 0;
+      std::optional<int> first;
+      for (int i = 0; i < *space.size(); ++i) {
+        const bool holds = NaiveHolds(rule.clause, space.At(i));
+        CAPTURE(seed, i);
+        REQUIRE(table[i] == holds);
+        if (holds && count++ == 0) first = i;
+        ++checked;
+      }
+      CHECK(table.Count() == count);
+      CHECK(table.First() == first);
+    }
+  }
+  CHECK(checked > 10000);
 }
 
-TEST_CASE("The last state varies fastest", "[truth]") {
-  const Genotype genotype =
-      Compiled(
-          "plsc 1 alphabet plasticoding 1 sense a: bool sense unused: bool "
-          "sense e: { x, y, z } rule B -> if e = x and a = True then { B }")
-          .genotype;
-  const Clause* const one = &genotype.rules[0].clause;
-  const StateSpace space({&one, 1}, genotype.states);
-  REQUIRE(space.size() == 6);
-  CHECK(space.states() == std::vector<StateId>{StateId{0}, StateId{2}});
-  CHECK(space.At(1) == std::vector<double>{0, 0, 1});
-  CHECK(space.At(3) == std::vector<double>{1, 0, 0});
+TEST_CASE("Tables of every shape agree with the clause", "[truth]") {
+  // Numbers of values whose runs are shorter than a machine word, longer, and
+  // no divisor of it; up to the 65,536 environments of sixteen bool states.
+  const std::vector<std::vector<int>> shapes = {
+      {2},       {3},          {2, 3},    {3, 2},    {64, 2},
+      {2, 64},   {65, 3},      {3, 65},   {7, 9, 5}, {5, 1, 2},
+      {100, 64}, {2, 2, 2, 2}, {128, 512}};
+  for (std::vector<int> shape : shapes) {
+    if (shape == std::vector<int>{128, 512}) shape.assign(16, 2);
+    std::vector<State> states;
+    Clause all;  // names every value, so that every value is a class
+    for (const int values : shape) {
+      State state;
+      state.type = StateType::kEnum;
+      state.values.assign(static_cast<std::size_t>(values), "v");
+      states.push_back(state);
+    }
+    for (std::size_t s = 0; s < states.size(); ++s)
+      for (int value = 0; value < shape[s]; ++value) {
+        if (!all.terms.empty())
+          all.connectives.push_back((value + s) % 3 == 0 ? Connective::kAnd
+                                                         : Connective::kOr);
+        all.terms.push_back(
+            {static_cast<StateId>(s),
+             value % 2 == 0 ? Comparison::kEqual : Comparison::kNotEqual,
+             static_cast<double>(value)});
+      }
+    const Clause* const one = &all;
+    const StateSpace space({&one, 1}, states);
+    int product = 1;
+    for (const int values : shape) product *= values;
+    REQUIRE(space.size() == product);
+    const TruthTable table = Tabulate(all, space);
+    TruthTable inverse = table;
+    inverse.Invert();
+    for (int i = 0; i < product; ++i) {
+      REQUIRE(table[i] == NaiveHolds(all, space.At(i)));
+      REQUIRE(inverse[i] != table[i]);
+    }
+    CHECK(table.Count() + inverse.Count() == product);
+    inverse |= table;
+    CHECK(inverse.Count() == product);
+    CHECK_FALSE(TruthTable(product, false).First());
+  }
+}
+
+TEST_CASE("Sixteen bool states are counted, seventeen are too many",
+          "[truth]") {
+  for (const int count : {16, 17}) {
+    std::vector<State> states(static_cast<std::size_t>(count));
+    Clause clause;
+    for (int i = 0; i < count; ++i) {
+      if (i > 0) clause.connectives.push_back(Connective::kAnd);
+      clause.terms.push_back({static_cast<StateId>(i), Comparison::kEqual, 1});
+    }
+    const auto truth = CountTruth(clause, states);
+    REQUIRE(truth.has_value() == (count == 16));
+    if (!truth) continue;
+    CHECK(truth->total == 65536);
+    CHECK(truth->holds == 1);
+  }
 }
 
 }  // namespace

@@ -53,7 +53,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
     return 0;
   }
   Require(plsc::Verify(*program).empty(), "what compiles passes Verify");
-  CheckDiagnostics(plsc::Lint(*program, source), source);
+  const auto mapped = plsc::CompileWithMap(source);
+  Require(static_cast<bool>(mapped), "places change nothing");
+  CheckDiagnostics(plsc::LintClauses(mapped->program, mapped->map), source);
 
   const std::string text = plsc::Print(*program);
   const plsc::Result<plsc::Program> again =

@@ -30,8 +30,12 @@ TEST_CASE("what is shown of a line is harmless", "[shown_line]") {
        "a\xE2\x80\xAE"
        "b",
        "a?b"},
-      {"bytes that are no UTF-8", "\xFF\xC3-", "?" "?-"},
-      {"a character cut at the end", "a\xE2\x82", "a?" "?"},
+      {"bytes that are no UTF-8", "\xFF\xC3-",
+       "?"
+       "?-"},
+      {"a character cut at the end", "a\xE2\x82",
+       "a?"
+       "?"},
       {"NUL", std::string("a\0b", 3), "a?b"},
   };
   for (const Row& row : rows) DYNAMIC_SECTION(row.why) {

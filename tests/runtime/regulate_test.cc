@@ -12,6 +12,24 @@ constexpr const char* kStates =
     "sense a: bool\nsense b: bool\nsense c: bool\n"
     "sense heat: real in -40..60\n";
 
+TEST_CASE("active rules are listed by symbol", "[regulate]") {
+  const Genotype genotype = test::Didactic(
+      "sense p: bool rule Z -> { a } rule X -> if p = True then { a } "
+      "rule X -> { Y } rule Y -> if p = True then { a }");
+  const auto list = [&](double p) {
+    std::string text;
+    for (const SymbolRules& symbol :
+         BySymbol(genotype, Regulate(genotype, {{p}}))) {
+      text += (*genotype.alphabet)[symbol.symbol].name + ":";
+      for (const RuleIndex rule : symbol.active) text += std::to_string(rule);
+      text += " ";
+    }
+    return text;
+  };
+  CHECK(list(0) == "X:1 Y: Z:3 ");
+  CHECK(list(1) == "X:01 Y:2 Z:3 ");
+}
+
 TEST_CASE("and binds tighter than or, whatever the order", "[regulate]") {
   struct Row {
     const char* clause;

@@ -5,9 +5,9 @@
 #include <set>
 
 #include "compiler/compile.h"
-#include "compiler/lint.h"
 #include "grammar/codes.h"
 #include "runtime/evolve/experiment.h"
+#include "runtime/lint.h"
 #include "tests/runtime/cli/run_plsc.h"
 
 namespace plsc {
@@ -67,11 +67,12 @@ Codes CodesOfExample(ExampleKind kind, std::string_view example) {
   const Source source("example", std::string(example));
   if (kind == ExampleKind::kExperiment)
     return CodesOf(ParseExperiment(source).diagnostics());
-  const Result<Program> program = Compile(source);
   if (kind == ExampleKind::kLint) {
-    REQUIRE(program);
-    return CodesOf(Lint(*program, source));
+    const Result<MappedProgram> compiled = CompileWithMap(source);
+    REQUIRE(compiled);
+    return CodesOf(Lint(*compiled, source));
   }
+  const Result<Program> program = Compile(source);
   if (kind == ExampleKind::kDevelop) {
     REQUIRE(program);
     const auto ran =

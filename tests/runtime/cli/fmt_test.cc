@@ -45,6 +45,22 @@ TEST_CASE("fmt --check names what would change and writes nothing", "[fmt]") {
   CHECK(ReadFile(file) == kUntidy);
 }
 
+TEST_CASE("fmt --diff shows what would change and writes nothing", "[fmt]") {
+  const test::TemporaryFolder folder;
+  const std::string file = folder.Write("a.pls", kUntidy);
+  const auto ran = RunPlsc({"fmt", "--diff", file});
+  CHECK(ran.exit == 1);
+  CHECK(ran.out.starts_with("--- " + file + "\n+++ " + file +
+                            " (formatted)\n@@ -1,"));
+  CHECK(ran.out.find("\n+  add_front\n") != std::string::npos);
+  CHECK(ReadFile(file) == kUntidy);
+  REQUIRE(RunPlsc({"fmt", file}).exit == 0);
+  const auto again = RunPlsc({"fmt", "--diff", file});
+  CHECK(again.exit == 0);
+  CHECK(again.out.empty());
+  CHECK(RunPlsc({"fmt", "--diff", "--check", file}).exit == 2);
+}
+
 TEST_CASE("fmt prints what it reads from standard input", "[fmt]") {
   const auto ran = RunPlsc({"fmt", "-"}, kUntidy);
   CHECK(ran.exit == 0);

@@ -85,7 +85,7 @@ TEST_CASE("what cannot be tested is said and not updated", "[test_file]") {
        "there is no genotype"},
       {"neither", "", "", "cannot read"},
       {"does not compile", "plsc 1\nrule", "", "error[P"},
-      {"broken golden file", plastic, "{", "error[P5109]: not JSON"},
+      {"broken golden file", plastic, "{", "error[P5100]: not JSON"},
       {"unknown name", plastic, Skeleton("{\"environment\": \"slope\"}"),
        "no environment 'slope' (it names: flat tilted)"},
       {"a state is missing", plastic,

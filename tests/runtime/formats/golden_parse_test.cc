@@ -36,10 +36,10 @@ TEST_CASE("bad golden files are refused at their place", "[golden]") {
   };
   const std::vector<Row> rows = {
       {"nothing", "", "P5013", "1:1", "empty"},
-      {"no JSON", "plsc 1", "P5109", "1:1", "not JSON"},
-      {"truncated", R"({"plsc_golden": 1, "env)", "P5109", "1:24",
+      {"no JSON", "plsc 1", "P5100", "1:1", "not JSON"},
+      {"truncated", R"({"plsc_golden": 1, "env)", "P5100", "1:24",
        "missing closing quote"},
-      {"a second value", "{} {}", "P5109", "1:4", "not JSON"},
+      {"a second value", "{} {}", "P5100", "1:4", "not JSON"},
       {"not UTF-8", "{\"plsc_golden\": \"\xff\"}", "P5011", "1:18", "0xFF"},
       {"a merge conflict", "{\n<<<<<<< mine\n", "P5010", "2:1", "conflict"},
       {"a list", "[]", "P5103", "1:1", "an object"},
@@ -50,7 +50,7 @@ TEST_CASE("bad golden files are refused at their place", "[golden]") {
       {"version 0", R"({"plsc_golden": 0})", "P5103", "1:17", "whole number"},
       {"a huge version", R"({"plsc_golden": 18446744073709551615})", "P5103",
        "1:17", "whole number"},
-      {"a number beyond doubles", R"({"plsc_golden": 1e999})", "P5109", "1:1",
+      {"a number beyond doubles", R"({"plsc_golden": 1e999})", "P5100", "1:1",
        "overflow"},
       {"no environment", Environments(""), "P5106", "1:1", "no environment"},
       {"unknown key", R"({"plsc_golden": 1, "enviroments": []})", "P5101",

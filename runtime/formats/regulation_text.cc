@@ -1,0 +1,110 @@
+#include "runtime/formats/regulation_text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "compiler/print.h"
+#include "runtime/regulate.h"
+
+namespace plsc {
+
+namespace {
+
+using Row = std::vector<std::string>;
+
+std::string Numbers(const std::vector<RuleIndex>& rules) {
+  if (rules.empty()) return "-";
+  std::string text;
+  for (const RuleIndex rule : rules)
+    text += fmt::format("{}{}", text.empty() ? "" : "+", rule + 1);
+  return text;
+}
+
+// Columns as wide as their widest cell, two blanks between them, none behind
+// the last. Cells are ASCII.
+std::string Align(const std::vector<Row>& rows) {
+  std::vector<std::size_t> widths(rows.front().size(), 0);
+  for (const Row& row : rows)
+    for (std::size_t i = 0; i < row.size(); ++i)
+      widths[i] = std::max(widths[i], row[i].size());
+  std::string text;
+  for (const Row& row : rows) {
+    std::string line;
+    for (std::size_t i = 0; i < row.size(); ++i)
+      line += fmt::format("{:<{}}", row[i], widths[i] + 2);
+    line.erase(line.find_last_not_of(' ') + 1);
+    text += line + '\n';
+  }
+  return text;
+}
+
+std::string JoinedText(const Genotype& genotype, const ActiveRules& active,
+                       SymbolId symbol) {
+  const auto& joined = active.joined[static_cast<std::size_t>(symbol)];
+  if (joined.empty()) return "stays";
+  std::string text = "->";
+  for (const Occurrence& o : joined)
+    text += ' ' + PrintSymbol(genotype.rules[o.rule].production[o.position],
+                              *genotype.alphabet);
+  return text;
+}
+
+}  // namespace
+
+std::string RegulationText(const Genotype& genotype,
+                           const NamedEnvironment& named) {
+  const ActiveRules active = Regulate(genotype, named.environment);
+  const std::string senses =
+      PrintEnvironment(named.environment, genotype.states);
+  std::string text = fmt::format("{} in {}", genotype.name, named.name);
+  if (!senses.empty() && senses != named.name)
+    text += fmt::format(" ({})", senses);
+  text += fmt::format(": {} of {} rules active\n", active.rules.size(),
+                      genotype.rules.size());
+  std::vector<Row> rows;
+  for (const SymbolRules& symbol : BySymbol(genotype, active))
+    rows.push_back({(*genotype.alphabet)[symbol.symbol].name,
+                    Numbers(symbol.active),
+                    JoinedText(genotype, active, symbol.symbol)});
+  return rows.empty() ? text : text + Align(rows);
+}
+
+std::string RegulationTable(const Genotype& genotype, const StateSpace& space) {
+  std::vector<Row> rows(1);
+  for (const StateId id : space.states())
+    rows[0].push_back(genotype.states[static_cast<std::size_t>(id)].name);
+  for (const SymbolRules& symbol : BySymbol(genotype, {}))
+    rows[0].push_back((*genotype.alphabet)[symbol.symbol].name);
+  if (rows[0].empty()) return "no rules\n";
+  for (int i = 0; i < *space.size(); ++i) {
+    Row row;
+    for (std::size_t s = 0; s < space.states().size(); ++s)
+      row.push_back(ClassLabel(
+          space.classes(s)[space.ClassAt(i, s)],
+          genotype.states[static_cast<std::size_t>(space.states()[s])]));
+    const ActiveRules active = Regulate(genotype, {space.At(i)});
+    for (const SymbolRules& symbol : BySymbol(genotype, active))
+      row.push_back(Numbers(symbol.active));
+    rows.push_back(std::move(row));
+  }
+  return Align(rows);
+}
+
+std::string RuleLegend(const MappedProgram& compiled, const Source& source) {
+  const Genotype& genotype = compiled.program.genotype;
+  std::string text;
+  for (std::size_t i = 0; i < genotype.rules.size(); ++i) {
+    const Rule& rule = genotype.rules[i];
+    const std::string clause = rule.clause.is_always()
+                                   ? "always"
+                                   : "if " + PrintClause(rule.clause, genotype);
+    text += fmt::format(
+        "{}: {} {} (line {})\n", i + 1, (*genotype.alphabet)[rule.head].name,
+        clause, source.PositionOf(compiled.map.rules[i].rule.begin).line);
+  }
+  return text;
+}
+
+}  // namespace plsc

@@ -1,0 +1,142 @@
+#include "runtime/lint.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "compiler/lint.h"
+#include "compiler/suppress.h"
+#include "grammar/parse.h"
+#include "runtime/derive.h"
+#include "runtime/growth.h"
+#include "runtime/lint_expression.h"
+#include "runtime/regimes.h"
+
+namespace plsc {
+
+namespace {
+
+// What to blame for growth: the number of rewritings.
+Span GrowthSpan(const MappedProgram& compiled, const ast::File& file) {
+  for (const ast::Setting& setting : file.settings)
+    if (setting.key == ast::SettingKey::kIterations) return setting.value.span;
+  const Genotype& genotype = compiled.program.genotype;
+  for (std::size_t i = 0; i < genotype.rules.size(); ++i)
+    if (genotype.rules[i].head == genotype.axiom)
+      return compiled.map.rules[i].head;
+  return file.version;
+}
+
+std::string LengthText(std::uint64_t length) {
+  if (length == std::numeric_limits<std::uint64_t>::max())
+    return "more than 10^19";
+  return fmt::format("{}", length);
+}
+
+Diagnostic Growth(const MappedProgram& compiled, const ast::File& file,
+                  const ActiveRules& active, std::uint64_t length,
+                  const std::string& where) {
+  const Genotype& genotype = compiled.program.genotype;
+  Diagnostic diagnostic;
+  diagnostic.code = "P4001";
+  diagnostic.span = GrowthSpan(compiled, file);
+  diagnostic.message = fmt::format(
+      "{}, development would produce {} symbols, and the limit is {}", where,
+      LengthText(length), kMaxStringLength);
+  if (const auto multiplier = GreatestMultiplier(active))
+    diagnostic.label = fmt::format(
+        "each '{}' becomes {} symbols, {} of them '{}' again",
+        (*genotype.alphabet)[multiplier->symbol].name, multiplier->length,
+        multiplier->copies, (*genotype.alphabet)[multiplier->symbol].name);
+  diagnostic.help = fmt::format(
+      "lower 'iterations' (now {}), or let rules bring back fewer replaceable "
+      "symbols",
+      genotype.development.iterations);
+  return diagnostic;
+}
+
+// In the environment where the string grows most.
+std::optional<Diagnostic> GrowthWarning(const MappedProgram& compiled,
+                                        const ast::File& file,
+                                        const StateSpace& space,
+                                        const std::vector<Regime>& regimes) {
+  const Genotype& genotype = compiled.program.genotype;
+  int environments = 0;
+  std::uint64_t longest = 0;
+  const Regime* worst = nullptr;
+  for (const Regime& regime : regimes) {
+    const std::uint64_t length = DerivedLength(
+        genotype, Regulate(genotype, {space.At(regime.environment)}));
+    if (length <= kMaxStringLength) continue;
+    environments += regime.count;
+    if (length <= longest) continue;
+    longest = length;
+    worst = &regime;
+  }
+  if (worst == nullptr) return std::nullopt;
+  const std::string where =
+      *space.size() == 1
+          ? "in every environment"
+          : "when " + space.Describe(worst->environment, genotype.states);
+  Diagnostic warning =
+      Growth(compiled, file, Regulate(genotype, {space.At(worst->environment)}),
+             longest, where);
+  warning.severity = Severity::kWarning;
+  warning.code = "W4001";
+  warning.notes.push_back(fmt::format("too long in {} of {} environments",
+                                      environments, *space.size()));
+  return warning;
+}
+
+Diagnostic TooManyEnvironments(const ast::File& file) {
+  Diagnostic warning;
+  warning.severity = Severity::kWarning;
+  warning.code = "W3005";
+  warning.span = file.version;
+  warning.message =
+      "the clauses tell apart too many environments to develop in each";
+  warning.label = "growth and expression of symbols are not checked";
+  return warning;
+}
+
+}  // namespace
+
+std::vector<Diagnostic> Lint(const MappedProgram& compiled,
+                             const Source& source) {
+  const ParseResult parsed = Parse(source);
+  const ast::File& file = parsed.file;
+  const Genotype& genotype = compiled.program.genotype;
+  std::vector<Diagnostic> warnings =
+      LintClauses(compiled.program, compiled.map);
+  const StateSpace space(genotype);
+  if (const auto regimes = FindRegimes(genotype, space)) {
+    if (auto growth = GrowthWarning(compiled, file, space, *regimes)) {
+      // What is too long to develop has nothing to say about expression.
+      warnings.push_back(std::move(*growth));
+    } else {
+      std::vector<Diagnostic> more =
+          LintExpression(compiled, space, *regimes, file.version);
+      std::move(more.begin(), more.end(), std::back_inserter(warnings));
+    }
+  } else {
+    warnings.push_back(TooManyEnvironments(file));
+  }
+  warnings = Suppressions(file).Keep(std::move(warnings));
+  std::stable_sort(warnings.begin(), warnings.end(),
+                   [](const Diagnostic& a, const Diagnostic& b) {
+                     return a.span.begin < b.span.begin;
+                   });
+  return warnings;
+}
+
+Diagnostic GrowthError(const MappedProgram& compiled, const Source& source,
+                       const ActiveRules& active, std::uint64_t length,
+                       const std::string& where) {
+  return Growth(compiled, Parse(source).file, active, length, "in " + where);
+}
+
+}  // namespace plsc

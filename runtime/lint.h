@@ -1,0 +1,33 @@
+#pragma once
+
+// All advice on a genotype: by its clauses (compiler/lint.h) and by what its
+// rules develop into. Nothing here is an error, and evolved genotypes have
+// much of it; people who write by hand want to know.
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "compiler/compile.h"
+#include "grammar/diagnostic.h"
+#include "runtime/regulate.h"
+
+namespace plsc {
+
+/// Every warning that no comment silences, sorted by position; without those
+/// of Compile. `source` is what `compiled` was compiled from.
+///   W3003, W3004, W3005  see compiler/lint.h
+///   W4001  in some environment the string would grow beyond its limit.
+///   W4002  a symbol that no environment expresses, or a rule that rewrites
+///          nothing in any (runtime/lint_expression.h).
+std::vector<Diagnostic> Lint(const MappedProgram& compiled,
+                             const Source& source);
+
+/// P4001: in the environment called `where` the string would have `length`
+/// symbols. Points at the `iterations` item, or at the first rule of the axiom
+/// when the file leaves it out.
+Diagnostic GrowthError(const MappedProgram& compiled, const Source& source,
+                       const ActiveRules& active, std::uint64_t length,
+                       const std::string& where);
+
+}  // namespace plsc

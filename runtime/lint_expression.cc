@@ -1,0 +1,188 @@
+#include "runtime/lint_expression.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cassert>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "compiler/limits.h"
+#include "runtime/derive.h"
+#include "runtime/growth.h"
+#include "runtime/trace.h"
+
+namespace plsc {
+
+namespace {
+
+// What one symbol of a production came to, over all regimes.
+struct Fate {
+  bool is_expressed = false;
+  bool is_read = false;  // late development read it
+  Effect last{};         // why it was not expressed there
+};
+
+struct RuleFate {
+  bool is_active = false;  // in some regime
+  bool is_used = false;    // and rewrote something there
+  std::vector<Fate> symbols;
+};
+
+class Watcher {
+ public:
+  explicit Watcher(const Genotype& genotype) : genotype_(genotype) {
+    fates_.resize(genotype.rules.size());
+    for (std::size_t i = 0; i < fates_.size(); ++i)
+      fates_[i].symbols.resize(genotype.rules[i].production.size());
+  }
+
+  void Watch(const ActiveRules& active) {
+    for (const RuleIndex rule : active.rules) fates_[rule].is_active = true;
+    WatchRewriting(active);
+    const auto string = Derive(genotype_, active);
+    assert(string);
+    if (genotype_.alphabet->is_built_in())
+      WatchDevelopment(*string);
+    else
+      for (const Occurrence& occurrence : *string) Express(occurrence);
+  }
+
+  const std::vector<RuleFate>& fates() const { return fates_; }
+
+ private:
+  Fate* FateOf(const Occurrence& occurrence) {
+    if (occurrence.rule == kNoRule) return nullptr;
+    return &fates_[occurrence.rule].symbols[occurrence.position];
+  }
+  void Express(const Occurrence& occurrence) {
+    if (Fate* fate = FateOf(occurrence)) fate->is_expressed = true;
+  }
+
+  // Rewriting is free of context: which symbols ever stand in a string before
+  // its last rewriting is found by following each symbol once.
+  void WatchRewriting(const ActiveRules& active) {
+    const int iterations = genotype_.development.iterations;
+    std::vector<bool> is_rewritten(active.joined.size(), false);
+    std::vector<bool> is_seen = is_rewritten;
+    std::vector<SymbolId> front = {genotype_.axiom};
+    is_seen[static_cast<std::size_t>(genotype_.axiom)] = true;
+    for (int i = 0; i < iterations && !front.empty(); ++i) {
+      std::vector<SymbolId> next;
+      for (const SymbolId symbol : front) {
+        is_rewritten[static_cast<std::size_t>(symbol)] = true;
+        for (const Occurrence& made :
+             active.joined[static_cast<std::size_t>(symbol)]) {
+          const auto index = static_cast<std::size_t>(made.symbol);
+          // In a string that is rewritten once more, this is a call.
+          if (i + 1 < iterations && !active.joined[index].empty())
+            Express(made);
+          if (is_seen[index]) continue;
+          is_seen[index] = true;
+          next.push_back(made.symbol);
+        }
+      }
+      front = std::move(next);
+    }
+    for (const RuleIndex rule : active.rules)
+      if (is_rewritten[static_cast<std::size_t>(genotype_.rules[rule].head)])
+        fates_[rule].is_used = true;
+  }
+
+  void WatchDevelopment(const SymbolString& string) {
+    const Trace trace = TraceDevelopment(genotype_, string);
+    for (std::size_t i = 0; i < string.size(); ++i) {
+      Fate* fate = FateOf(string[i]);
+      if (fate == nullptr) continue;
+      const Effect effect = trace.events[i].effect;
+      fate->is_expressed |= InfoOf(effect).is_expressed;
+      fate->is_read = true;
+      fate->last = effect;
+    }
+  }
+
+  const Genotype& genotype_;
+  std::vector<RuleFate> fates_;
+};
+
+Diagnostic Warn(const char* code, Span span, std::string message) {
+  Diagnostic warning;
+  warning.severity = Severity::kWarning;
+  warning.code = code;
+  warning.span = span;
+  warning.message = std::move(message);
+  return warning;
+}
+
+void ReportSymbols(const Rule& rule, const RuleFate& fate,
+                   const RuleSpans& spans, const Genotype& genotype,
+                   std::vector<Diagnostic>* warnings) {
+  const bool is_core_rule =
+      genotype.alphabet->is_built_in() && rule.head == plasticoding::kC;
+  for (std::size_t i = 0; i < fate.symbols.size(); ++i) {
+    if (warnings->size() >= kMaxReported) return;
+    const Fate& symbol = fate.symbols[i];
+    // The C that begins each rule of C is a matter of form.
+    if (symbol.is_expressed || !symbol.is_read || (is_core_rule && i == 0))
+      continue;
+    Diagnostic warning =
+        Warn("W4002", spans.symbols[i],
+             fmt::format("this '{}' is expressed in no environment",
+                         (*genotype.alphabet)[rule.production[i].id].name));
+    warning.label = InfoOf(symbol.last).text;
+    warnings->push_back(std::move(warning));
+  }
+}
+
+std::vector<Diagnostic> ReportAll(const MappedProgram& compiled,
+                                  const std::vector<RuleFate>& fates) {
+  const Genotype& genotype = compiled.program.genotype;
+  std::vector<Diagnostic> warnings;
+  for (std::size_t i = 0; i < fates.size(); ++i) {
+    if (warnings.size() >= kMaxReported) break;
+    const RuleSpans& spans = compiled.map.rules[i];
+    if (fates[i].is_used) {
+      ReportSymbols(genotype.rules[i], fates[i], spans, genotype, &warnings);
+    } else if (fates[i].is_active) {  // never active is W3002's to say
+      const std::string& head =
+          (*genotype.alphabet)[genotype.rules[i].head].name;
+      warnings.push_back(
+          Warn("W4002", spans.head,
+               fmt::format("this rule for '{}' rewrites nothing", head)));
+      warnings.back().label = fmt::format(
+          "where it is active, no '{}' stands in a string that is rewritten",
+          head);
+    }
+  }
+  return warnings;
+}
+
+}  // namespace
+
+std::vector<Diagnostic> LintExpression(const MappedProgram& compiled,
+                                       const StateSpace& space,
+                                       const std::vector<Regime>& regimes,
+                                       Span file) {
+  const Genotype& genotype = compiled.program.genotype;
+  Watcher watcher(genotype);
+  std::uint64_t developed = 0;
+  for (const Regime& regime : regimes) {
+    const ActiveRules active =
+        Regulate(genotype, {space.At(regime.environment)});
+    developed += DerivedLength(genotype, active);
+    if (developed > kMaxLintedSymbols) {
+      Diagnostic warning = Warn(
+          "W3005", file,
+          fmt::format("developing in every environment would take more than "
+                      "{} symbols",
+                      kMaxLintedSymbols));
+      warning.label = "whether every symbol is expressed is not checked";
+      return {warning};
+    }
+    watcher.Watch(active);
+  }
+  return ReportAll(compiled, watcher.fates());
+}
+
+}  // namespace plsc

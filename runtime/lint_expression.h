@@ -1,0 +1,28 @@
+#pragma once
+
+// Symbols and rules that never do anything (W4002), found by developing the
+// genotype in every regime. A symbol counts as expressed where it does
+// something in late development (runtime/effect.h) or is rewritten before:
+// modules are often written only to call their rules. Symbols of alphabets
+// without bodies are expressed wherever they stand in the final string.
+
+#include <vector>
+
+#include "compiler/compile.h"
+#include "grammar/diagnostic.h"
+#include "runtime/regimes.h"
+
+namespace plsc {
+
+/// Most symbols over the strings of all regimes that are developed: some
+/// seconds at most. A genotype of the paper's kind has some thousands.
+inline constexpr std::uint64_t kMaxLintedSymbols = 1u << 22;
+
+/// In every regime the string is within its limit. `file` is where to say
+/// that there is too much to develop (W3005).
+std::vector<Diagnostic> LintExpression(const MappedProgram& compiled,
+                                       const StateSpace& space,
+                                       const std::vector<Regime>& regimes,
+                                       Span file);
+
+}  // namespace plsc
