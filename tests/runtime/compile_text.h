@@ -30,7 +30,8 @@ inline Genotype Didactic(const std::string& rest) {
 
 /// A plasticoding genotype with the given states, settings and rules.
 inline Genotype Robot(const std::string& rest) {
-  return CompileText("plsc 1\ngenotype sample\nalphabet plasticoding 1\n" + rest)
+  return CompileText("plsc 1\ngenotype sample\nalphabet plasticoding 1\n" +
+                     rest)
       .genotype;
 }
 
