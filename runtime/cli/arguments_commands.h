@@ -1,0 +1,31 @@
+#pragma once
+
+// The command line's parts: each function adds one command with its options
+// and help, which fill the struct. Shared by the arguments_*.cc files only,
+// the door to CLI11.
+
+#include "runtime/cli/commands.h"
+
+namespace CLI {
+class App;
+}  // namespace CLI
+
+namespace plsc::cli {
+
+CLI::App* AddCheck(CLI::App& app, CheckCommand& command);
+CLI::App* AddDevelop(CLI::App& app, DevelopCommand& command);
+CLI::App* AddEvolve(CLI::App& app, EvolveCommand& command);
+CLI::App* AddExplain(CLI::App& app, ExplainCommand& command);
+CLI::App* AddFix(CLI::App& app, FixCommand& command);
+CLI::App* AddFmt(CLI::App& app, FmtCommand& command);
+CLI::App* AddLint(CLI::App& app, LintCommand& command);
+CLI::App* AddRandom(CLI::App& app, RandomCommand& command);
+CLI::App* AddRegulate(CLI::App& app, RegulateCommand& command);
+CLI::App* AddSimulate(CLI::App& app, SimulateCommand& command);
+CLI::App* AddTest(CLI::App& app, TestCommand& command);
+CLI::App* AddWhy(CLI::App& app, WhyCommand& command);
+
+/// --format text|json; `json` says what a line of it is.
+void AddFormat(CLI::App* command, OutputFormat& format, const char* json);
+
+}  // namespace plsc::cli
