@@ -86,6 +86,7 @@ class Block {
   void AddList(std::string_view key, const std::vector<Part>& parts,
                Writer line) {
     std::vector<std::string> lines;
+    lines.reserve(parts.size());
     for (const Part& part : parts) lines.push_back(line(part));
     AddLines(key, lines, '[', ']');
   }
