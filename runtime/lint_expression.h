@@ -14,8 +14,9 @@
 
 namespace plsc {
 
-/// Most symbols over the strings of all regimes that are developed: some
-/// seconds at most. A genotype of the paper's kind has some thousands.
+/// Most symbols over the strings of all regimes that are developed: four
+/// strings of the longest kind. A genotype of the paper's kind has some
+/// thousands.
 inline constexpr std::uint64_t kMaxLintedSymbols = 1u << 22;
 
 /// In every regime the string is within its limit. `file` is where to say

@@ -1,10 +1,9 @@
 #pragma once
 
-// The difference of two texts as `diff -u` prints it. Our own because Debian
-// has no small C++ library for it: libgit2 is a whole version control system,
-// and dtl, which other projects copy into their tree, is not packaged. The
-// algorithm is Myers' "An O(ND) difference algorithm and its variations"
-// (1986), the basic one, on lines.
+// The difference of two texts as `diff -u` prints it, by Myers' "An O(ND)
+// difference algorithm and its variations" (1986), the basic one, on lines.
+// Debian's libdtl-dev has the same algorithm: take it instead if this ever
+// needs more than lines.
 
 #include <string>
 #include <string_view>
