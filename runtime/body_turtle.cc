@@ -87,17 +87,14 @@ Mounting BodyTurtle::Mount(ModuleType type) {
   at(reference_).children[static_cast<std::size_t>(slot)] = index;
   body_.modules.push_back(module);
   slot_reference_.reset();
-  if (move_to_new_ && type != ModuleType::kTouchSensor) {
-    came_from_.push_back(reference_);
-    reference_ = index;
-  }
+  if (move_to_new_ && type != ModuleType::kTouchSensor) reference_ = index;
   return {Effect::kMounted, index};
 }
 
 Effect BodyTurtle::MoveBack() {
-  if (came_from_.empty()) return Effect::kAtStart;
-  reference_ = came_from_.back();
-  came_from_.pop_back();
+  const int parent = at(reference_).parent;
+  if (parent == kNoModule) return Effect::kAtStart;
+  reference_ = parent;
   return Effect::kModuleReached;
 }
 
@@ -108,7 +105,6 @@ Effect BodyTurtle::Move(Slot slot) {
   const int child = reference.child(target);
   if (child == kNoModule) return Effect::kSideEmpty;
   if (at(child).type == ModuleType::kTouchSensor) return Effect::kSensorThere;
-  came_from_.push_back(reference_);
   reference_ = child;
   return Effect::kModuleReached;
 }

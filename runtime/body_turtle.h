@@ -32,7 +32,8 @@ class BodyTurtle {
   void SetSlot(Slot slot) { slot_reference_ = slot; }
   /// A module (III, IV). When it is not expressed the slot-reference is kept.
   Mounting Mount(ModuleType type);
-  /// Moving commands (V): kModuleReached, or why the reference stays.
+  /// Moving commands (V): kModuleReached, or why the reference stays. Every
+  /// move leads to a child, so the way back is the way to the core.
   Effect MoveBack();
   Effect Move(Slot slot);
 
@@ -60,8 +61,7 @@ class BodyTurtle {
   int ModuleIn(Cell cell) const;
 
   Body body_;
-  int reference_ = 0;           ///< the module-reference
-  std::vector<int> came_from_;  ///< where move_back leads
+  int reference_ = 0;  ///< the module-reference
   std::optional<Slot> slot_reference_;
   int size_ = 1;  ///< modules without sensors
   int max_modules_;

@@ -1,12 +1,13 @@
 #include "runtime/derive.h"
 
+#include <span>
 #include <utility>
 
 namespace plsc {
 
 namespace {
 
-const std::vector<Occurrence>& Successor(const ActiveRules& active,
+std::span<const Occurrence> Successor(const ActiveRules& active,
                                          const Occurrence& occurrence) {
   return active.joined[static_cast<std::size_t>(occurrence.symbol)];
 }
@@ -30,7 +31,7 @@ bool Rewrite(const SymbolString& string, const ActiveRules& active,
   next.clear();
   next.reserve(length);
   for (const Occurrence& occurrence : string) {
-    const std::vector<Occurrence>& successor = Successor(active, occurrence);
+    const std::span<const Occurrence> successor = Successor(active, occurrence);
     if (successor.empty())
       next.push_back(occurrence);
     else
