@@ -31,7 +31,12 @@ class BodyTurtle {
   /// A mounting command: overwrites the slot-reference (II).
   void SetSlot(Slot slot) { slot_reference_ = slot; }
   /// A module (III, IV). When it is not expressed the slot-reference is kept.
-  Mounting Mount(ModuleType type);
+  Mounting Mount(ModuleType type) {
+    if (!slot_reference_) return {Effect::kNoSlot};
+    // Sensors are not counted, but none is mounted either once m is reached.
+    if (size_ >= max_modules_) return {Effect::kBodyFull};
+    return MountAt(TargetSlot(*slot_reference_), type);
+  }
   /// Moving commands (V): kModuleReached, or why the reference stays. Every
   /// move leads to a child, so the way back is the way to the core.
   Effect MoveBack();
@@ -57,6 +62,7 @@ class BodyTurtle {
   Module& at(int index) {
     return body_.modules[static_cast<std::size_t>(index)];
   }
+  Mounting MountAt(Slot slot, ModuleType type);
   static Cell CellAhead(const Module& from, Facing facing);
   int ModuleIn(Cell cell) const;
 

@@ -3,8 +3,10 @@
 // The turtle that grows the network: the paper's input-reference and
 // neuron-reference, each the newest entry of a stack (late development, VI and
 // VII). Knows nothing of the body but the module that a node belongs to.
-
-#include <vector>
+//
+// No stack is kept. Until the first input and the first neuron meet there are
+// nodes of one kind only, all of them stacked in order of creation; from then
+// on each stack holds its reference alone.
 
 #include "runtime/effect.h"
 #include "sim/brain.h"
@@ -16,6 +18,8 @@ inline constexpr int kNoEdge = -1;
 
 class BrainTurtle {
  public:
+  BrainTurtle();
+
   /// A sensor was mounted: a new input, connected to every stacked neuron.
   void AddInput(int module, double weight);
   /// A joint was mounted: a new neuron, connected to every stacked input.
@@ -39,31 +43,26 @@ class BrainTurtle {
   Brain TakeBrain() && { return std::move(brain_); }
 
   // What an observer asks between symbols.
-  int input_reference() const { return Top(inputs_); }    ///< or kNoNode
-  int neuron_reference() const { return Top(neurons_); }  ///< or kNoNode
+  int input_reference() const { return input_reference_; }    ///< or kNoNode
+  int neuron_reference() const { return neuron_reference_; }  ///< or kNoNode
   /// Index of the edge, or kNoEdge.
   int EdgeBetween(int source, int destination) const;
 
  private:
-  static int Top(const std::vector<int>& stack) {
-    return stack.empty() ? kNoNode : stack.back();
-  }
   Effect Missing() const;
-  bool has_both() const { return !inputs_.empty() && !neurons_.empty(); }
+  bool has_both() const {
+    return input_reference_ != kNoNode && neuron_reference_ != kNoNode;
+  }
   Node& node(int index) {
     return brain_.nodes[static_cast<std::size_t>(index)];
   }
   int Add(const Node& new_node);
-  void Connect(int input, int neuron, double weight);
   int Neighbour(int of, int edge) const;
   Effect MutateParameter(double Node::*parameter, double amount);
 
   Brain brain_;
-  std::vector<int> inputs_;   ///< stack; back() is the input-reference
-  std::vector<int> neurons_;  ///< stack; back() is the neuron-reference
-  /// By node: the nodes at the other end of its edges, in order of creation
-  /// (the paper's serial IDs). Loops are not listed.
-  std::vector<std::vector<int>> neighbours_;
+  int input_reference_ = kNoNode;
+  int neuron_reference_ = kNoNode;
 };
 
 }  // namespace plsc

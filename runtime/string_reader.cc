@@ -13,6 +13,14 @@ int EdgeNumber(double argument) {
   return static_cast<int>(std::clamp(argument, 1.0, 1e9));
 }
 
+// Of the three mounting or moving commands whose first is `right`: both stand
+// in the table in the order right, front, left.
+Slot SideOf(SymbolId symbol, SymbolId right) {
+  constexpr std::array<Slot, 3> kSides{Slot::kRight, Slot::kFront, Slot::kLeft};
+  return kSides[static_cast<std::size_t>(symbol) -
+                static_cast<std::size_t>(right)];
+}
+
 }  // namespace
 
 Effect StringReader::MountJoint(ModuleType type, const Arguments& arguments) {
@@ -35,32 +43,31 @@ Effect StringReader::MountSensor(double weight) {
   return mounting.effect;
 }
 
-Effect StringReader::ReadBodyCommand(SymbolId symbol) {
+// One flat switch, and one case for symbols that differ in a side only: what
+// comes next in a string is hard to predict, so branches are most of the cost.
+Effect StringReader::Read(SymbolId symbol, const Arguments& arguments) {
   switch (symbol) {
+    case plasticoding::kC:
+      return Effect::kStarted;  // unique and first: the turtle starts on it (I)
+    case plasticoding::kB:
+      return body_.Mount(ModuleType::kBrick).effect;
+    case plasticoding::kA1:
+      return MountJoint(ModuleType::kVerticalJoint, arguments);
+    case plasticoding::kA2:
+      return MountJoint(ModuleType::kHorizontalJoint, arguments);
+    case plasticoding::kT:
+      return MountSensor(arguments[plasticoding::kWeight]);
     case plasticoding::kAddRight:
-      return SetSlot(Slot::kRight);
     case plasticoding::kAddFront:
-      return SetSlot(Slot::kFront);
     case plasticoding::kAddLeft:
-      return SetSlot(Slot::kLeft);
+      body_.SetSlot(SideOf(symbol, plasticoding::kAddRight));
+      return Effect::kSlotUsed;
     case plasticoding::kMoveBack:
       return body_.MoveBack();
     case plasticoding::kMoveRight:
-      return body_.Move(Slot::kRight);
     case plasticoding::kMoveFront:
-      return body_.Move(Slot::kFront);
     case plasticoding::kMoveLeft:
-      return body_.Move(Slot::kLeft);
-    default:
-      assert(false);
-      return Effect::kStarted;
-  }
-}
-
-Effect StringReader::ReadBrainCommand(SymbolId symbol,
-                                      const Arguments& arguments) {
-  const double amount = arguments[0];
-  switch (symbol) {
+      return body_.Move(SideOf(symbol, plasticoding::kMoveRight));
     case plasticoding::kMoveRefI:
       return brain_.MoveInputReference(EdgeNumber(arguments[0]),
                                        EdgeNumber(arguments[1]));
@@ -68,41 +75,20 @@ Effect StringReader::ReadBrainCommand(SymbolId symbol,
       return brain_.MoveNeuronReference(EdgeNumber(arguments[0]),
                                         EdgeNumber(arguments[1]));
     case plasticoding::kAddEdge:
-      return brain_.AddEdge(amount);
+      return brain_.AddEdge(arguments[0]);
     case plasticoding::kLoop:
-      return brain_.AddLoop(amount);
+      return brain_.AddLoop(arguments[0]);
     case plasticoding::kMutateEdge:
-      return brain_.MutateEdge(amount);
+      return brain_.MutateEdge(arguments[0]);
     case plasticoding::kMutateAmp:
-      return brain_.MutateAmplitude(amount);
+      return brain_.MutateAmplitude(arguments[0]);
     case plasticoding::kMutatePer:
-      return brain_.MutatePeriod(amount);
+      return brain_.MutatePeriod(arguments[0]);
     case plasticoding::kMutateOff:
-      return brain_.MutatePhaseOffset(amount);
-    default:
-      assert(false);
-      return Effect::kStarted;
+      return brain_.MutatePhaseOffset(arguments[0]);
   }
-}
-
-Effect StringReader::Read(SymbolId symbol, const Arguments& arguments) {
-  if (symbol <= plasticoding::kT) {
-    switch (symbol) {
-      case plasticoding::kC:
-        return Effect::kStarted;  // unique and first: the turtle starts on it
-                                  // (I)
-      case plasticoding::kB:
-        return body_.Mount(ModuleType::kBrick).effect;
-      case plasticoding::kA1:
-        return MountJoint(ModuleType::kVerticalJoint, arguments);
-      case plasticoding::kA2:
-        return MountJoint(ModuleType::kHorizontalJoint, arguments);
-      default:
-        return MountSensor(arguments[plasticoding::kWeight]);
-    }
-  }
-  if (symbol <= plasticoding::kMoveLeft) return ReadBodyCommand(symbol);
-  return ReadBrainCommand(symbol, arguments);
+  assert(false);
+  return Effect::kStarted;
 }
 
 }  // namespace plsc

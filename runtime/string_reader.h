@@ -32,14 +32,8 @@ class StringReader {
   const BrainTurtle& brain() const { return brain_; }
 
  private:
-  Effect SetSlot(Slot slot) {
-    body_.SetSlot(slot);
-    return Effect::kSlotUsed;
-  }
   Effect MountJoint(ModuleType type, const Arguments& arguments);
   Effect MountSensor(double weight);
-  Effect ReadBodyCommand(SymbolId symbol);
-  Effect ReadBrainCommand(SymbolId symbol, const Arguments& arguments);
 
   BodyTurtle body_;
   BrainTurtle brain_;
