@@ -19,10 +19,13 @@ constexpr std::size_t kUsualEdges = 32;
 BrainTurtle::BrainTurtle() {
   brain_.nodes.reserve(kUsualNodes);
   brain_.connections.reserve(kUsualEdges);
+  ends_.reserve(2 * kUsualEdges);
+  end_begins_.reserve(kUsualNodes + 1);
 }
 
 int BrainTurtle::Add(const Node& new_node) {
   brain_.nodes.push_back(new_node);
+  end_begins_.push_back(end_begins_.back());
   return static_cast<int>(brain_.nodes.size()) - 1;
 }
 
@@ -35,10 +38,21 @@ int BrainTurtle::EdgeBetween(int source, int destination) const {
   return kNoEdge;
 }
 
-// Why a command that needs both references is not expressed.
 Effect BrainTurtle::Missing() const {
   if (input_reference_ != kNoNode) return Effect::kNoNeuron;
   return neuron_reference_ == kNoNode ? Effect::kNoNodes : Effect::kNoInput;
+}
+
+void BrainTurtle::AddEnd(int of, int other) {
+  const auto next = static_cast<std::size_t>(of) + 1;
+  ends_.insert(ends_.begin() + end_begins_[next], other);
+  for (std::size_t i = next; i < end_begins_.size(); ++i) ++end_begins_[i];
+}
+
+void BrainTurtle::Connect(int input, int neuron, double weight) {
+  AddEnd(input, neuron);
+  AddEnd(neuron, input);
+  brain_.connections.push_back({input, neuron, weight});
 }
 
 // In both directions the edge to the newest of the stack takes the new node's
@@ -52,8 +66,8 @@ void BrainTurtle::AddInput(int module, double weight) {
   if (neuron_reference_ != kNoNode) {
     const bool is_first = input_reference_ == kNoNode;
     for (int i = is_first ? 0 : neuron_reference_; i < neuron_reference_; ++i)
-      brain_.connections.push_back({index, i, node(i).weight});
-    brain_.connections.push_back({index, neuron_reference_, weight});
+      Connect(index, i, node(i).weight);
+    Connect(index, neuron_reference_, weight);
   }
   input_reference_ = index;
 }
@@ -64,8 +78,8 @@ void BrainTurtle::AddOscillator(Node oscillator) {
   if (input_reference_ != kNoNode) {
     const bool is_first = neuron_reference_ == kNoNode;
     for (int i = is_first ? 0 : input_reference_; i < input_reference_; ++i)
-      brain_.connections.push_back({i, index, node(i).weight});
-    brain_.connections.push_back({input_reference_, index, oscillator.weight});
+      Connect(i, index, node(i).weight);
+    Connect(input_reference_, index, oscillator.weight);
   }
   neuron_reference_ = index;
 }
@@ -74,7 +88,7 @@ Effect BrainTurtle::AddEdge(double weight) {
   if (!has_both()) return Missing();
   if (EdgeBetween(input_reference_, neuron_reference_) != kNoEdge)
     return Effect::kEdgeExists;
-  brain_.connections.push_back({input_reference_, neuron_reference_, weight});
+  Connect(input_reference_, neuron_reference_, weight);
   return Effect::kEdgeAdded;
 }
 
@@ -105,45 +119,6 @@ Effect BrainTurtle::MutateParameter(double Node::*parameter, double amount) {
   value = std::clamp(value + amount, plasticoding::kOscillatorLow,
                      plasticoding::kOscillatorHigh);
   return Effect::kNeuronChanged;
-}
-
-Effect BrainTurtle::MutateAmplitude(double amount) {
-  return MutateParameter(&Node::amplitude, amount);
-}
-Effect BrainTurtle::MutatePeriod(double amount) {
-  return MutateParameter(&Node::period, amount);
-}
-Effect BrainTurtle::MutatePhaseOffset(double amount) {
-  return MutateParameter(&Node::phase_offset, amount);
-}
-
-// The other end of an edge of `of`, counted from 1 in order of creation (the
-// paper's serial IDs); loops are not counted. Never asked of a node without
-// edges: as soon as both references exist, each has one (AddInput and
-// AddOscillator connect them).
-int BrainTurtle::Neighbour(int of, int edge) const {
-  assert(edge >= 1);
-  int neighbour = kNoNode;
-  for (const Connection& one : brain_.connections) {
-    // Exactly one end of an edge, both of a loop.
-    if ((one.source == of) == (one.destination == of)) continue;
-    neighbour = one.source == of ? one.destination : one.source;
-    if (--edge == 0) break;
-  }
-  assert(neighbour != kNoNode);
-  return neighbour;
-}
-
-Effect BrainTurtle::MoveInputReference(int t, int d) {
-  if (!has_both()) return Missing();
-  input_reference_ = Neighbour(Neighbour(input_reference_, t), d);
-  return Effect::kNodeReached;
-}
-
-Effect BrainTurtle::MoveNeuronReference(int t, int d) {
-  if (!has_both()) return Missing();
-  neuron_reference_ = Neighbour(Neighbour(neuron_reference_, t), d);
-  return Effect::kNodeReached;
 }
 
 }  // namespace plsc

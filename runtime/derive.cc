@@ -1,5 +1,6 @@
 #include "runtime/derive.h"
 
+#include <cassert>
 #include <span>
 #include <utility>
 
@@ -7,16 +8,10 @@ namespace plsc {
 
 namespace {
 
-std::span<const Occurrence> Successor(const ActiveRules& active,
-                                         const Occurrence& occurrence) {
-  return active.joined[static_cast<std::size_t>(occurrence.symbol)];
-}
-
 std::size_t LengthAfter(const SymbolString& string, const ActiveRules& active) {
   std::size_t length = 0;
   for (const Occurrence& occurrence : string) {
-    const std::size_t successor = Successor(active, occurrence).size();
-    length += successor == 0 ? 1 : successor;
+    length += RewrittenInto(active.joined, occurrence).size();
     if (length > kMaxStringLength) return length;
   }
   return length;
@@ -31,11 +26,9 @@ bool Rewrite(const SymbolString& string, const ActiveRules& active,
   next.clear();
   next.reserve(length);
   for (const Occurrence& occurrence : string) {
-    const std::span<const Occurrence> successor = Successor(active, occurrence);
-    if (successor.empty())
-      next.push_back(occurrence);
-    else
-      next.insert(next.end(), successor.begin(), successor.end());
+    const std::span<const Occurrence> written =
+        RewrittenInto(active.joined, occurrence);
+    next.insert(next.end(), written.begin(), written.end());
   }
   return true;
 }
@@ -44,16 +37,32 @@ SymbolString Axiom(const Genotype& genotype) {
   return {Occurrence{genotype.axiom, kNoRule, 0}};
 }
 
+std::optional<SymbolString> DeriveTimes(const Genotype& genotype,
+                                        const ActiveRules& active,
+                                        int iterations) {
+  SymbolString string = Axiom(genotype);
+  SymbolString next;
+  for (int i = 0; i < iterations; ++i) {
+    if (!Rewrite(string, active, next)) return std::nullopt;
+    std::swap(string, next);
+  }
+  return string;
+}
+
 }  // namespace
 
 std::optional<SymbolString> Derive(const Genotype& genotype,
                                    const ActiveRules& active) {
-  SymbolString string = Axiom(genotype);
-  SymbolString next;
-  for (int i = 0; i < genotype.development.iterations; ++i) {
-    if (!Rewrite(string, active, next)) return std::nullopt;
-    std::swap(string, next);
-  }
+  return DeriveTimes(genotype, active, genotype.development.iterations);
+}
+
+std::optional<SymbolString> DeriveAllButLast(const Genotype& genotype,
+                                             const ActiveRules& active) {
+  assert(genotype.development.iterations > 0);
+  std::optional<SymbolString> string =
+      DeriveTimes(genotype, active, genotype.development.iterations - 1);
+  if (!string || LengthAfter(*string, active) > kMaxStringLength)
+    return std::nullopt;
   return string;
 }
 
