@@ -21,6 +21,7 @@ BrainTurtle::BrainTurtle() {
   brain_.connections.reserve(kUsualEdges);
   ends_.reserve(2 * kUsualEdges);
   end_begins_.reserve(kUsualNodes + 1);
+  end_begins_.push_back(0);
 }
 
 int BrainTurtle::Add(const Node& new_node) {

@@ -89,7 +89,7 @@ class BrainTurtle {
   /// end_begins_[i]. One array, because commands that look at edges are many
   /// and commands that make one are few.
   std::vector<int> ends_;
-  std::vector<int> end_begins_{0};  ///< one more for the end of the last
+  std::vector<int> end_begins_;  ///< one more for the end of the last
   int input_reference_ = kNoNode;
   int neuron_reference_ = kNoNode;
 };

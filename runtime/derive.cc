@@ -18,18 +18,19 @@ std::size_t LengthAfter(const SymbolString& string, const ActiveRules& active) {
 }
 
 // One parallel rewriting; false when the result would be too long. `next` is
-// reused between rewritings, so that a derivation allocates rarely.
+// reused between rewritings, so that a derivation allocates rarely. As its
+// length is known, symbols are stored without asking for room each time.
 bool Rewrite(const SymbolString& string, const ActiveRules& active,
              SymbolString& next) {
   const std::size_t length = LengthAfter(string, active);
   if (length > kMaxStringLength) return false;
   next.clear();
-  next.reserve(length);
-  for (const Occurrence& occurrence : string) {
-    const std::span<const Occurrence> written =
-        RewrittenInto(active.joined, occurrence);
-    next.insert(next.end(), written.begin(), written.end());
-  }
+  next.resize(length);
+  auto end = next.begin();
+  for (const Occurrence& occurrence : string)
+    for (const Occurrence& written : RewrittenInto(active.joined, occurrence))
+      *end++ = written;
+  assert(end == next.end());
   return true;
 }
 

@@ -70,10 +70,9 @@ Successors::Successors(std::vector<Occurrence> occurrences,
 ActiveRules Regulate(const Genotype& genotype, const Environment& environment) {
   assert(environment.values.size() == genotype.states.size());
   assert(genotype.rules.size() < kNoRule);
-  ActiveRules active;
-  active.rules = RulesThatHold(genotype, environment);
-  active.joined = JoinAll(genotype, active.rules);
-  return active;
+  std::vector<RuleIndex> rules = RulesThatHold(genotype, environment);
+  Successors joined = JoinAll(genotype, rules);
+  return {std::move(rules), std::move(joined)};
 }
 
 std::vector<SymbolRules> BySymbol(const Genotype& genotype,
