@@ -14,10 +14,15 @@ std::size_t AllocationCount() {
 }
 }  // namespace plsc::test
 
-// The array and nothrow forms of the library call this one.
-void* operator new(std::size_t size) {
+// The array forms of the library call these. The nothrow form is replaced too,
+// because a sanitizer has one of its own, whose memory free() may not take.
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
   allocation_count.fetch_add(1, std::memory_order_relaxed);
-  if (void* memory = std::malloc(size == 0 ? 1 : size)) return memory;
+  return std::malloc(size == 0 ? 1 : size);
+}
+
+void* operator new(std::size_t size) {
+  if (void* memory = operator new(size, std::nothrow)) return memory;
   throw std::bad_alloc();
 }
 
