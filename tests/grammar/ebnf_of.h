@@ -26,8 +26,12 @@ namespace pegtl_internal = tao::pegtl::internal;
 /// `template <> struct ReadsLike<grammar::x> { using type = ...; };`.
 template <typename Rule>
 struct ReadsLike {
-  using type = typename Rule::rule_t;
+  using type = Rule;
 };
+
+/// What PEGTL's own template makes of the rule.
+template <typename Rule>
+using BodyOf = typename ReadsLike<Rule>::type::rule_t;
 
 /// Not shown, with all that it is made of.
 template <typename Rule>
@@ -84,7 +88,7 @@ class EbnfWalk {
   template <typename Rule>
   std::string Add(std::string_view name) {
     // Rules that are the same type underneath differ only in their actions.
-    using Body = typename ReadsLike<Rule>::type;
+    using Body = BodyOf<Rule>;
     const std::string key(tao::pegtl::demangle<Body>());
     const bool is_new = grammar_.rules.count(key) == 0;
     EbnfRule& rule = grammar_.rules[key];
@@ -110,7 +114,7 @@ class EbnfWalk {
           type.find('<') == std::string_view::npos)
         return {
             Ebnf::Kind::kRule, Add<Rule>(type.substr(kNamespace.size())), {}};
-      return OfType(static_cast<typename ReadsLike<Rule>::type*>(nullptr));
+      return OfType(static_cast<BodyOf<Rule>*>(nullptr));
     }
   }
 

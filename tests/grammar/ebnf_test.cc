@@ -21,11 +21,24 @@ struct t_try     : sor<try_catch<must<t_choice>>, t_lost> {};
 struct t_text    : seq<one<'"'>, until<one<'"'>, not_one<'\n'>>, t_end> {};
 struct t_nest    : seq<one<'<'>, opt<t_nest>, one<'>'>> {};
 struct t_all     : seq<opt<utf8::bom>, plus<t_try>, t_text, t_nest, if_must<t_word, t_same>, range<'0', '7'>, eof> {};
+
+// A rule whose match() is written by hand, for speed.
+struct t_quick {
+  using rule_t = t_quick;
+  using subs_t = empty_list;
+};
+struct t_by_hand : seq<token<t_quick>, t_quick> {};
 // clang-format on
 // NOLINTEND(readability-identifier-naming)
 }  // namespace plsc::grammar
 
 namespace plsc::testing {
+
+template <>
+struct ReadsLike<grammar::t_quick> {
+  using type = grammar::t_either;
+};
+
 namespace {
 
 constexpr const char* kExpected =
@@ -50,6 +63,14 @@ TEST_CASE("A grammar's types print as EBNF", "[ebnf]") {
   // a name, t_word a terminal, t_same is t_sum. t_nest ends although it
   // contains itself.
   CHECK(PrintEbnf(grammar) == kExpected);
+}
+
+TEST_CASE("A rule matched by hand prints as what it reads like", "[ebnf]") {
+  EbnfGrammar grammar;
+  grammar.start = EbnfWalk(grammar).Add<grammar::t_by_hand>("t_by_hand");
+  CHECK(PrintEbnf(grammar) ==
+        "t_by_hand = t_quick t_quick ;\n"
+        "t_quick   = \"+\" | \"-\" | \"plus\" ;\n");
 }
 
 TEST_CASE("A choice within a sequence stands in parentheses", "[ebnf]") {
