@@ -140,16 +140,16 @@ class Printer {
   // separates, and not before what closes.
   static std::vector<std::string> Unbreakable(
       const std::vector<std::string>& tokens) {
-    static const std::set<std::string> kWithNext = {"{", "[", "(", "|"};
-    static const std::set<std::string> kWithPrevious = {"}", "]", ")", ";"};
+    static const std::set<std::string> with_next = {"{", "[", "(", "|"};
+    static const std::set<std::string> with_previous = {"}", "]", ")", ";"};
     std::vector<std::string> pieces;
     bool is_joined = false;
     for (const std::string& token : tokens) {
-      if (!pieces.empty() && (is_joined || kWithPrevious.count(token) > 0))
+      if (!pieces.empty() && (is_joined || with_previous.count(token) > 0))
         pieces.back() += " " + token;
       else
         pieces.push_back(token);
-      is_joined = kWithNext.count(token) > 0;
+      is_joined = with_next.count(token) > 0;
     }
     return pieces;
   }

@@ -13,6 +13,7 @@
 #include <string>
 #include <string_view>
 #include <tao/pegtl.hpp>
+#include <type_traits>
 #include <vector>
 
 #include "grammar/ebnf.h"
@@ -68,7 +69,8 @@ inline Ebnf Quoted(std::string_view text) {
 
 template <typename Peek>
 Ebnf Character(typename Peek::data_t c) {
-  const auto code = static_cast<std::uint32_t>(c);
+  const auto code = static_cast<std::uint32_t>(
+      static_cast<std::make_unsigned_t<typename Peek::data_t>>(c));
   if (code > ' ' && code < 0x7F)
     return Quoted(std::string(1, static_cast<char>(code)));
   return Terminal(fmt::format("? U+{:04X} ?", code));
@@ -89,7 +91,7 @@ class EbnfWalk {
   std::string Add(std::string_view name) {
     // Rules that are the same type underneath differ only in their actions.
     using Body = BodyOf<Rule>;
-    const std::string key(tao::pegtl::demangle<Body>());
+    std::string key(tao::pegtl::demangle<Body>());
     const bool is_new = grammar_.rules.count(key) == 0;
     EbnfRule& rule = grammar_.rules[key];
     rule.names.emplace_back(name);
@@ -172,7 +174,7 @@ class EbnfWalk {
   template <pegtl_internal::result_on_found kFound, typename Peek,
             typename Peek::data_t... C>
   Ebnf OfType(pegtl_internal::one<kFound, Peek, C...>*) {
-    const Ebnf choice{Ebnf::Kind::kChoice, "", {Character<Peek>(C)...}};
+    Ebnf choice{Ebnf::Kind::kChoice, "", {Character<Peek>(C)...}};
     if (kFound == pegtl_internal::result_on_found::success) return choice;
     std::vector<std::string> others;
     for (const Ebnf& part : choice.parts)
