@@ -154,6 +154,56 @@ void AppendEntries(const Environment& environment,
   }
 }
 
+void AppendExpectedString(const InlineTest& test, const Alphabet& alphabet,
+                          std::string* text) {
+  *text += "{\n";
+  for (const ExpectedSymbol& expected : test.string) {
+    *text += "  ";
+    if (expected.has_arguments)
+      AppendSymbol(expected.symbol, alphabet, text);
+    else
+      *text += alphabet[expected.symbol.id].name;
+    *text += '\n';
+  }
+  *text += "}\n";
+}
+
+void AppendExpectedBody(const std::vector<ExpectedModule>& body,
+                        const Alphabet& alphabet, std::string* text) {
+  *text += "body ";
+  for (std::size_t i = 0; i < body.size(); ++i) {
+    const ExpectedModule& module = body[i];
+    const auto indent = 2 * static_cast<std::size_t>(module.depth);
+    text->append(indent, ' ');
+    if (module.depth > 0) {
+      *text += FaceName(module.face);
+      *text += ' ';
+    }
+    *text += alphabet[module.symbol].name;
+    const int next = i + 1 < body.size() ? body[i + 1].depth : 0;
+    *text += next > module.depth ? " {\n" : "\n";
+    for (int depth = module.depth; depth-- > next;) {
+      text->append(2 * static_cast<std::size_t>(depth), ' ');
+      *text += "}\n";
+    }
+  }
+}
+
+void AppendTest(const InlineTest& test, const Genotype& genotype,
+                std::string* text) {
+  *text += "\ntest " + test.name;
+  if (!test.place.empty()) *text += " in " + test.place;
+  if (test.after) {
+    *text += " after ";
+    AppendInt(*test.after, text);
+  }
+  *text += " -> ";
+  if (test.body.empty())
+    AppendExpectedString(test, *genotype.alphabet, text);
+  else
+    AppendExpectedBody(test.body, *genotype.alphabet, text);
+}
+
 }  // namespace
 
 std::string Print(const Genotype& genotype) {
@@ -173,6 +223,8 @@ std::string Print(const Program& program) {
     AppendEntries(named.environment, states, true, &text);
     text += states.empty() ? "}\n" : " }\n";
   }
+  for (const InlineTest& test : program.tests)
+    AppendTest(test, program.genotype, &text);
   return text;
 }
 
@@ -185,6 +237,24 @@ std::string PrintClause(const Clause& clause, const Genotype& genotype) {
 std::string PrintSymbol(const Symbol& symbol, const Alphabet& alphabet) {
   std::string text;
   AppendSymbol(symbol, alphabet, &text);
+  return text;
+}
+
+std::string PrintBody(const std::vector<ExpectedModule>& body,
+                      const Alphabet& alphabet) {
+  std::string text;
+  for (std::size_t i = 0; i < body.size(); ++i) {
+    const ExpectedModule& module = body[i];
+    if (module.depth > 0) {
+      text += ' ';
+      text += FaceName(module.face);
+      text += ' ';
+    }
+    text += alphabet[module.symbol].name;
+    const int next = i + 1 < body.size() ? body[i + 1].depth : 0;
+    if (next > module.depth) text += " {";
+    for (int depth = module.depth; depth > next; --depth) text += " }";
+  }
   return text;
 }
 

@@ -42,6 +42,9 @@ void Builder::BeginItem(Span item_keyword) {
   sense.values.first = SizeOf(file.names);
   environment = {};
   environment.entries.first = SizeOf(file.entries);
+  test = {};
+  test.nodes.first = SizeOf(file.nodes);
+  body_path.clear();
 }
 
 void Builder::EndItem(ast::ItemKind kind, std::size_t index) {

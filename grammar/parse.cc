@@ -10,6 +10,7 @@
 #include "grammar/messages.h"
 #include "grammar/recover.h"
 #include "grammar/screen.h"
+#include "grammar/test_actions.h"
 
 namespace plsc {
 

@@ -91,9 +91,8 @@ Diagnostic UnknownItem(const SyntaxContext& context) {
     diagnostic.label = "remove this";
     return diagnostic;
   }
-  if (found.text == "include" || found.text == "test") {
-    diagnostic.message = fmt::format(
-        "'{}' is reserved and has no meaning in plsc 1", found.text);
+  if (found.text == "include") {
+    diagnostic.message = "'include' is reserved and has no meaning in plsc 1";
     return diagnostic;
   }
   if (!IsWordCharacter(found.text.empty() ? ' ' : found.text[0])) {
@@ -187,11 +186,40 @@ Diagnostic FirstSymbol(const SyntaxContext& context) {
   return diagnostic;
 }
 
+Diagnostic BodyDepth(const SyntaxContext& context) {
+  Diagnostic diagnostic;
+  diagnostic.code = "P3002";
+  diagnostic.span = CaretOf(context);
+  diagnostic.message = "an expected body is nested too deeply";
+  diagnostic.label = "no robot of a scenario has limbs that long";
+  return diagnostic;
+}
+
+Diagnostic OfBody(SyntaxError error, const SyntaxContext& context) {
+  switch (error) {
+    case SyntaxError::kModule: {
+      const Found before = FoundBefore(context.text, context.previous_end);
+      return Expected(context, "P1116",
+                      fmt::format("a module after {}", before.quoted),
+                      before.text == "body" ? "a body starts with the core, C"
+                                            : "write 'FACE MODULE'");
+    }
+    case SyntaxError::kBodyEnd:
+      return InBraces(context, "module", "'FACE MODULE' or '}'");
+    default:
+      return BodyDepth(context);
+  }
+}
+
 Diagnostic OpenBrace(const SyntaxContext& context) {
   const Found before = FoundBefore(context.text, context.previous_end);
+  const bool is_test = ItemWord(context) == "test";
   if (before.text == "->")
-    return Expected(context, "P1115", "'if' or '{' after '->'",
-                    "a production stands in braces");
+    return Expected(
+        context, "P1115",
+        is_test ? "'{' or 'body' after '->'" : "'if' or '{' after '->'",
+        is_test ? "the expected string stands in braces"
+                : "a production stands in braces");
   return MissingMark(context, "{");
 }
 
@@ -354,6 +382,10 @@ Diagnostic DescribeSyntaxError(SyntaxError error,
       return OfAlphabet(error, context);
     case kEnvironmentEnd:
       return InBraces(context, "environment", "'STATE = VALUE' or '}'");
+    case kModule:
+    case kBodyEnd:
+    case kBodyDepth:
+      return OfBody(error, context);
   }
   return {};
 }

@@ -174,7 +174,8 @@ Exit Run(const WhyCommand& command, Io& io) {
               "--edge\nsee 'plsc why --help'\n";
     return Exit::kBadUsage;
   }
-  const auto loaded = LoadWithMap(from.file, command.allow_range, io);
+  const auto loaded =
+      LoadWithMap(from.file, command.allow_range, io, from.place);
   if (!loaded) return Exit::kBadInput;
   const Genotype& genotype = loaded->mapped.program.genotype;
   if (question.part && !genotype.alphabet->is_built_in()) {
