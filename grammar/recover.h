@@ -24,7 +24,8 @@ struct inline_item     : sor<inline_start<kw_rule, string<'-', '>'>>,
                              inline_start<kw_environment, one<'{'>>,
                              inline_start<kw_alphabet, sor<digit, one<'{'>>>,
                              inline_start<kw_sense, one<':'>>,
-                             inline_start<kw_let, one<'='>>> {};
+                             inline_start<kw_let, one<'='>>,
+                             inline_start<kw_test, sor<string<'-', '>'>, in_word, after_word>>> {};
 // A word as a whole, so that no keyword is found at its end.
 struct skipped         : sor<seq<one<'#'>, star<not_one<'\n'>>>, plus<identifier_other>, not_one<'\n'>> {};
 struct rest_of_line    : star<not_at<inline_item>, skipped> {};

@@ -84,8 +84,9 @@ TEST_CASE("Parsing goes on at the next item", "[parse]") {
       {"two broken items on a line",
        "rule B -> { % } rule T -> { & } let a = 3", "P1116 P1116", 1},
       {"each of the items that a line may go on with",
-       "% sense a: bool % alphabet a 1 % let a = 1 % environment a { }",
-       "P1101 P1101 P1101 P1101", 4},
+       "% sense a: bool % alphabet a 1 % let a = 1 % environment a { } "
+       "% test a -> { B } % test b in c -> { B }",
+       "P1101 P1101 P1101 P1101 P1101 P1101", 6},
       {"a word that is reserved is no item", "sense rule: bool\naxiom rule",
        "P1102 P1102", 0},
       {"nor in a production", "rule B -> { B rule T }\naxiom B", "P1107", 1},
