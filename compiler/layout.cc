@@ -13,8 +13,6 @@ namespace plsc {
 
 namespace {
 
-constexpr std::size_t kLineWidth = 80;  // characters, as this project's code
-
 // An item, or the version line, with the comments that belong to it.
 struct Part {
   const ast::Item* item = nullptr;  // null: the version line

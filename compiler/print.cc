@@ -5,6 +5,7 @@
 #include <charconv>
 #include <string_view>
 
+#include "compiler/item_text.h"
 #include "compiler/print_alphabet.h"
 
 namespace plsc {
@@ -154,18 +155,27 @@ void AppendEntries(const Environment& environment,
   }
 }
 
+// On the line that `text` ends in when that fits, else a symbol a line.
 void AppendExpectedString(const InlineTest& test, const Alphabet& alphabet,
                           std::string* text) {
-  *text += "{\n";
+  std::vector<std::string> symbols;
+  std::size_t width = text->size() - text->rfind('\n') - 1;
   for (const ExpectedSymbol& expected : test.string) {
-    *text += "  ";
+    symbols.emplace_back();
     if (expected.has_arguments)
-      AppendSymbol(expected.symbol, alphabet, text);
+      AppendSymbol(expected.symbol, alphabet, &symbols.back());
     else
-      *text += alphabet[expected.symbol.id].name;
-    *text += '\n';
+      symbols.back() = alphabet[expected.symbol.id].name;
+    width += 1 + symbols.back().size();
   }
-  *text += "}\n";
+  const bool is_one_line = width + 3 <= kLineWidth;  // "{", " }"
+  *text += is_one_line ? "{" : "{\n";
+  for (const std::string& symbol : symbols) {
+    *text += is_one_line ? " " : "  ";
+    *text += symbol;
+    if (!is_one_line) *text += '\n';
+  }
+  *text += is_one_line ? " }\n" : "}\n";
 }
 
 void AppendExpectedBody(const std::vector<ExpectedModule>& body,

@@ -76,7 +76,7 @@ double DevelopAll(const std::vector<Case>& cases, bool describe) {
   return sum;
 }
 
-double CompileAll(const std::vector<Case>& cases) {
+double CompileEach(const std::vector<Case>& cases) {
   double sum = 0;
   for (const Case& one : cases)
     sum += static_cast<double>(Compile(one.source)->genotype.rules.size());
@@ -92,7 +92,7 @@ int main(int argc, char** argv) {
   const std::vector<plsc::Case> cases = plsc::LoadCases();
   fmt::print("{} cases\n", cases.size());
   plsc::Time("compile (text to IR)", cases.size(), seconds,
-             [&] { return plsc::CompileAll(cases); });
+             [&] { return CompileEach(cases); });
   plsc::Time("develop (IR to body and brain)", cases.size(), seconds,
              [&] { return plsc::DevelopAll(cases, false); });
   plsc::Time("develop and describe", cases.size(), seconds,

@@ -77,7 +77,7 @@ TEST_CASE("Programs in the documentation are what they claim to be", "[docs]") {
   for (const Block& block : blocks) {
     DYNAMIC_SECTION(block.where) {
       const Source source(block.where, block.text);
-      const Result<Program> result = Compile(source);
+      const auto result = CompileAll(source);
       INFO(Render(result.diagnostics(), source));
       CHECK(static_cast<bool>(result) == !block.is_error);
       if (!block.is_error) CHECK(Format(source));
