@@ -189,7 +189,7 @@ struct item : sor<rule_item, environment_item, sense_item, genotype_item, alphab
 
 struct plsc_word      : TAO_PEGTL_KEYWORD("plsc") {};
 struct wanted_plsc    : token<plsc_word> {};
-struct version_number : seq<plus<digit>, not_at<identifier_other>> {};
+struct version_number : seq<plus<digit>, not_at<sor<identifier_other, one<'.'>>>> {};
 struct wanted_version : token<version_number> {};
 struct version        : seq<must<wanted_plsc>, must<wanted_version>> {};
 // clang-format on

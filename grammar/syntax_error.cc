@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -48,6 +49,35 @@ Diagnostic VersionWord(const SyntaxContext& context) {
   diagnostic.help = "add 'plsc 1' as the first line";
   diagnostic.fixes.push_back(
       {{found.span.begin, found.span.begin}, "plsc 1\n"});
+  return diagnostic;
+}
+
+// "1.5", "v1", "-1": something that its author took for a version.
+bool IsVersionLike(std::string_view word) {
+  return std::any_of(word.begin(), word.end(),
+                     [](char c) { return c >= '0' && c <= '9'; }) &&
+         std::all_of(word.begin(), word.end(), [](char c) {
+           return IsWordCharacter(c) || c == '.' || c == '-' || c == '+';
+         });
+}
+
+Diagnostic VersionNumber(const SyntaxContext& context) {
+  Diagnostic diagnostic = Expected(
+      context, "P5001", "the language version after 'plsc'", "write 'plsc 1'");
+  const std::size_t begin =
+      context.text.find_first_not_of(" \t", context.previous_end);
+  if (begin == std::string_view::npos) return diagnostic;
+  const std::string_view word = context.text.substr(
+      begin, context.text.find_first_of(" \t\r\n#", begin) - begin);
+  // Longer than any version is something else.
+  constexpr std::size_t kMaxVersion = 20;
+  if (word.size() > kMaxVersion || !IsVersionLike(word)) return diagnostic;
+  diagnostic.span = {static_cast<std::uint32_t>(begin),
+                     static_cast<std::uint32_t>(begin + word.size())};
+  diagnostic.message =
+      fmt::format("the language version is a whole number, found '{}'", word);
+  if (word.starts_with("1.") || word == "v1")
+    diagnostic.fixes.push_back({diagnostic.span, "1"});
   return diagnostic;
 }
 
@@ -311,8 +341,7 @@ Diagnostic DescribeSyntaxError(SyntaxError error,
     case kVersionWord:
       return VersionWord(context);
     case kVersionNumber:
-      return Expected(context, "P5001", "the language version after 'plsc'",
-                      "write 'plsc 1'");
+      return VersionNumber(context);
     case kItem:
       return UnknownItem(context);
     case kName:

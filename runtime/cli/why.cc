@@ -42,7 +42,7 @@ FileAndPlace Split(const std::string& text) {
   const std::optional<int> column = CutNumber(&file);
   const std::optional<int> line = column ? CutNumber(&file) : std::nullopt;
   if (!line || file.empty()) return {text, std::nullopt};
-  // As diagnostics name it; "-:12:5" would look like an option.
+  // As diagnostics name it, and as arguments.cc names "-:12:5".
   if (file == "<stdin>") file = "-";
   return {file, Position{*line, *column}};
 }
