@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "grammar/actions.h"
+#include "grammar/fast_match.h"
 #include "grammar/header_actions.h"
 #include "grammar/messages.h"
 #include "grammar/recover.h"
@@ -20,7 +21,7 @@ using grammar::Builder;
 constexpr double kLanguageVersion = 1;
 
 template <typename Rule>
-struct Control : tao::pegtl::normal<Rule> {
+struct Control : grammar::FastMatch<Rule> {
   template <typename Input>
   [[noreturn]] static void raise(const Input& in, Builder& b) {
     b.Fail(grammar::kError<Rule>,
