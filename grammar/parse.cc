@@ -41,11 +41,14 @@ Diagnostic WrongVersion(const ast::File& file) {
 }
 
 // One allocation a pool for texts as Print writes them, of which a symbol has
-// some 30 bytes and an argument 40; other texts let them grow.
+// some 30 bytes, an argument 40 and a rule 400; other texts let them grow.
 void ReservePools(ast::File* file) {
   const std::size_t bytes = file->text.size();
   file->symbols.reserve(bytes / 24);
   file->arguments.reserve(bytes / 32);
+  file->rules.reserve(bytes / 256);
+  file->terms.reserve(bytes / 128);
+  file->items.reserve(bytes / 256 + 16);  // and those of the header
 }
 
 }  // namespace
