@@ -4,7 +4,7 @@
 // numbers. rules.h says what matches; a scanner only recognises the plain case
 // of its rule quicker and leaves all else (comments, errors, what does not
 // match) to the rule. tests/grammar/fast_match_test.cc parses with and without
-// them and wants the same tree. They take a third off the time of parsing.
+// them and wants the same tree. Parsing takes a quarter less time with them.
 
 #include <array>
 #include <cstdint>
@@ -75,13 +75,13 @@ inline const char* ScanNumber(const char* at, const char* end) {
 /// other rules match as PEGTL's normal<> does.
 template <typename Rule>
 struct FastMatch : normal<Rule> {
-  static constexpr bool is_gap = std::is_same_v<Rule, gap>;
-  static constexpr bool is_number = std::is_same_v<Rule, number>;
-  static constexpr bool is_identifier = std::is_base_of_v<identifier, Rule>;
+  static constexpr bool kIsGap = std::is_same_v<Rule, gap>;
+  static constexpr bool kIsNumber = std::is_same_v<Rule, number>;
+  static constexpr bool kIsIdentifier = std::is_base_of_v<identifier, Rule>;
 
   static const char* Scan(const char* at, const char* end) {
-    if constexpr (is_gap) return ScanGap(at, end);
-    if constexpr (is_number) return ScanNumber(at, end);
+    if constexpr (kIsGap) return ScanGap(at, end);
+    if constexpr (kIsNumber) return ScanNumber(at, end);
     return ScanIdentifier(at, end);
   }
 
@@ -91,7 +91,7 @@ struct FastMatch : normal<Rule> {
             typename State>
   static bool match(Input& in, State& state) {
     using ActionInput = typename Input::action_t;
-    if constexpr ((is_gap || is_number || is_identifier) &&
+    if constexpr ((kIsGap || kIsNumber || kIsIdentifier) &&
                   kApply == apply_mode::action &&
                   requires(const ActionInput& matched) {
                     Action<Rule>::apply(matched, state);
