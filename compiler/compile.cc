@@ -36,6 +36,17 @@ bool HasErrors(const Diagnostics& diagnostics) {
       [](const Diagnostic& d) { return d.severity == Severity::kError; });
 }
 
+// What compiles passes Verify. Tests and fuzzers ask Verify themselves, in
+// every build; here it is asked only in builds that check the standard library
+// too (debug, sanitize), because it is a pass over all of the IR, a tenth of
+// compiling, to find defects of ours that the stages before have ruled out.
+void AssertVerified([[maybe_unused]] const Program& program,
+                    [[maybe_unused]] const CompileOptions& options) {
+#ifdef _GLIBCXX_ASSERTIONS
+  assert(options.allow_out_of_range || Verify(program).empty());
+#endif
+}
+
 // One section, or the file as a whole. Fills `map` when there is one: most
 // callers never look at places. Nothing when there are errors.
 std::optional<Program> CompileSection(const ast::File& file,
@@ -53,7 +64,7 @@ std::optional<Program> CompileSection(const ast::File& file,
 
   Append(CheckClauses(file, scope, resolution), diagnostics);
   Program program = Lower(file, scope, resolution);
-  assert(options.allow_out_of_range || Verify(program).empty());
+  AssertVerified(program, options);
   if (map != nullptr) *map = MapSource(file, resolution);
   return program;
 }

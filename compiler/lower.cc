@@ -93,6 +93,7 @@ Clause LowerClause(const ast::File& file, const ast::Rule& rule,
                    const Resolution& resolution) {
   Clause clause;
   clause.terms.reserve(rule.terms.count);
+  clause.connectives.reserve(rule.terms.count);
   for (std::uint32_t k = 0; k < rule.terms.count; ++k) {
     const std::uint32_t at = rule.terms.first + k;
     clause.terms.push_back(resolution.terms[at].value());
