@@ -56,7 +56,7 @@ void Time(const char* name, std::size_t cases, double seconds,
              1e6 * each);
 }
 
-double CompileAll(const std::vector<Case>& cases) {
+double CompileEach(const std::vector<Case>& cases) {
   double sum = 0;
   for (const Case& one : cases)
     sum += static_cast<double>(Compile(one.source)->genotype.rules.size());
@@ -134,7 +134,7 @@ int main(int argc, char** argv) {
   const auto time = [&](const char* name, const auto& work) {
     plsc::Time(name, cases.size(), seconds, [&] { return work(cases); });
   };
-  time("compile (text to IR)", plsc::CompileAll);
+  time("compile (text to IR)", plsc::CompileEach);
   time("regulate", plsc::RegulateAll);
   time("derive", plsc::DeriveAll);
   time("late development", plsc::ReadAll);
