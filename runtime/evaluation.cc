@@ -142,6 +142,7 @@ SeasonLife Life::Next() {
   SeasonLife life;
   SeasonResult& result = life.result;
   result.season = season.name;
+  result.profile = scenario_.profile;
   const auto end = [&](Outcome outcome, std::string reason) {
     result.outcome = life.trajectory.outcome = outcome;
     result.reason = life.trajectory.reason = std::move(reason);

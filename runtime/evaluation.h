@@ -40,6 +40,7 @@ std::string_view ChangeName(Change change);
 
 struct SeasonResult {
   std::string season;
+  Profile profile = Profile::kPaper;
   Outcome outcome = Outcome::kCompleted;
   std::string reason;               ///< of the outcome; empty when completed
   double begin = 0;                 ///< s since birth; more than 0 only if the

@@ -49,6 +49,7 @@ const std::vector<NumberKey<PhysicsOptions>>& PhysicsKeys() {
       {"surface_layer", &P::surface_layer, {kLength, 0, 0.1}},
       {"max_speed", &P::max_speed, {kSpeed, 0, 1e6, true}},
       {"max_spin", &P::max_spin, {kAngularSpeed, 0, 1e6, true}},
+      {"max_solver_failures", &P::max_solver_failures, {kNumber, 0, 1e9}},
   };
   return keys;
 }
@@ -58,7 +59,6 @@ const std::vector<IntKey>& PhysicsIntKeys() {
   static const std::vector<IntKey> keys = {
       {"solver_iterations", &P::solver_iterations, 1, 100000},
       {"max_direct_links", &P::max_direct_links, 0, 100000},
-      {"max_solver_warnings", &P::max_solver_warnings, 0, 1000000000},
   };
   return keys;
 }

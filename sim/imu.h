@@ -4,7 +4,7 @@
 // develops. The one who senses is the core alone, the axiom of the genotype and
 // the module that holds the IMU: put down level, it falls onto the ground,
 // settles, and reads how far it leans. So the answer is the ground's, not that
-// of limbs which a robot may lie on; docs/decisions/0006 weighs it.
+// of limbs which a robot may lie on; docs/decisions/0007 weighs it.
 
 #include "sim/options.h"
 #include "sim/placement.h"
@@ -15,7 +15,7 @@ namespace plsc {
 struct ImuOptions {
   /// rad; leaning by more is inclined. Midway between the paper's grounds, 0
   /// and 5 degrees. Up to
-  /// 10 degrees a core settles to within 1 degree of its ground.
+  /// 10 degrees a core settles to within 1.5 degrees of its ground.
   double threshold = 0.04363323129985824;
   double settling = 1;  ///< s, from being put down to the reading
 

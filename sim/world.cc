@@ -68,6 +68,8 @@ World::Ode::Ode(const Assembly& assembly, const Terrain& on,
                 static_cast<int>(assembly.links.size()) <=
                     options.physics.max_direct_links) {
   OpenOde();
+  most_warnings =
+      physics.max_solver_failures * options.duration / physics.step;
   if (on.type == TerrainType::kRough) field.emplace(on.rough);
   world = dWorldCreate();
   // The default one is shared by all worlds and not safe between threads.
@@ -212,11 +214,11 @@ bool World::Ode::IsSane() {
           Outcome::kFellThrough,
           fmt::format("link {} is {:.3f} m below the ground", i, -height));
   }
-  if (warnings > physics.max_solver_warnings)
+  if (warnings > most_warnings)
     return Fail(Outcome::kSolverFailed,
                 fmt::format("the solver failed {} times, more than "
-                            "max_solver_warnings, {}",
-                            warnings, physics.max_solver_warnings));
+                            "max_solver_failures, {} of the steps",
+                            warnings, physics.max_solver_failures));
   return true;
 }
 

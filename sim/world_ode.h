@@ -59,6 +59,7 @@ struct World::Ode {
   SolverOrder order;
   int contacts = 0;
   int warnings = 0;
+  double most_warnings = 0;
   bool is_direct = true;
   bool is_lost = false;  ///< interrupted within a step
   World::Failure failure;

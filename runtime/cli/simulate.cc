@@ -95,13 +95,12 @@ void PrintDescriptors(const std::vector<SeasonResult>& results,
   }
 }
 
-bool WriteTrajectory(const std::string& folder, const std::string& season,
-                     const Trajectory& trajectory, Io& io) {
+bool WriteInto(const std::string& folder, const std::string& name,
+               const std::string& text, Io& io) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
-  const std::string path =
-      (std::filesystem::path(folder) / (season + ".csv")).string();
-  const auto failure = WriteFile(path, TrajectoryCsv(trajectory));
+  const std::string path = (std::filesystem::path(folder) / name).string();
+  const auto failure = WriteFile(path, text);
   if (failure)
     io.err << fmt::format("error: cannot write '{}': {}\n", path, *failure);
   else
@@ -124,10 +123,17 @@ Exit Run(const SimulateCommand& command, Io& io) {
   if (!scenario || !CanSense(*scenario, genotype, io)) return Exit::kBadInput;
 
   if (command.format == OutputFormat::kText) {
-    io.out << fmt::format("{} in scenario {}, profile {}\n", genotype.name,
-                          scenario->name, ProfileName(scenario->profile));
+    io.out << fmt::format(
+        "{} in scenario {} (profile {})\n", genotype.name,
+        scenario->name.empty() ? "of no name" : scenario->name,
+        ProfileName(scenario->profile));
     PrintHeader(io.out);
   }
+  // Samples mean nothing without the constants that they were made with.
+  const std::string& folder = command.trajectory_folder;
+  if (!folder.empty() &&
+      !WriteInto(folder, "scenario.yaml", PrintScenario(*scenario), io))
+    return Exit::kBadInput;
   std::vector<SeasonResult> results;
   for (Life lives(genotype, *scenario); !lives.is_over();) {
     const SeasonLife life = lives.Next();
@@ -138,9 +144,8 @@ Exit Run(const SimulateCommand& command, Io& io) {
       io.out << SeasonJson(genotype.name, life.result) << '\n';
     }
     io.out.flush();  // a season takes a while; show each when it is done
-    if (!command.trajectory_folder.empty() &&
-        !WriteTrajectory(command.trajectory_folder, life.result.season,
-                         life.trajectory, io))
+    if (!folder.empty() && !WriteInto(folder, life.result.season + ".csv",
+                                      TrajectoryCsv(life.trajectory), io))
       return Exit::kBadInput;
     results.push_back(life.result);
   }

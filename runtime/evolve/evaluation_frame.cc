@@ -22,6 +22,7 @@ struct SeasonBytes {
   bool has_inclination;
   double inclination;
   Change change;
+  Profile profile;
   std::int64_t steps;
   int solver_warnings;
 };
@@ -95,6 +96,7 @@ SeasonBytes BytesOf(const SeasonResult& season) {
   fixed.has_inclination = season.inclination.has_value();
   fixed.inclination = season.inclination.value_or(0);
   fixed.change = season.change;
+  fixed.profile = season.profile;
   fixed.steps = season.steps;
   fixed.solver_warnings = season.solver_warnings;
   return fixed;
@@ -110,6 +112,7 @@ void Fill(const SeasonBytes& fixed, SeasonResult& season) {
   season.begin = fixed.begin;
   if (fixed.has_inclination) season.inclination = fixed.inclination;
   season.change = fixed.change;
+  season.profile = fixed.profile;
   season.steps = fixed.steps;
   season.solver_warnings = fixed.solver_warnings;
 }

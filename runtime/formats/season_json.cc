@@ -30,6 +30,7 @@ std::string SeasonJson(const std::string& genotype,
   Json json;
   json["genotype"] = genotype;
   json["season"] = result.season;
+  json["profile"] = ProfileName(result.profile);
   json["begin"] = result.begin;
   json["sensed"] = SensedJson(result.sensed);
   json["inclination"] =
