@@ -1,23 +1,55 @@
 #pragma once
 
-// The judgement of one genotype: all seasons of a scenario, each with the
-// robot that developed for it, what it did and its fitness.
+// The judgement of one genotype: all seasons of a scenario, each with what the
+// robot sensed, the robot that developed for it, what it did and its fitness.
 
+#include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "runtime/descriptors.h"
 #include "runtime/scenario.h"
 #include "sim/measures.h"
 #include "sim/outcome.h"
+#include "sim/simulate.h"
 #include "sim/trajectory.h"
 
 namespace plsc {
 
+/// A state of the genotype and its value, as a clause writes it.
+struct SensedState {
+  std::string name;
+  std::string value;
+  bool is_felt = false;  ///< by the robot itself, not given by the season
+
+  friend bool operator==(const SensedState&, const SensedState&) = default;
+};
+
+/// What became of the robot at the start of a season.
+enum class Change : std::uint8_t {
+  kBorn,   ///< the first season
+  kNone,   ///< the same body and brain as in the season before
+  kBrain,  ///< the same body with another brain
+  kBody,   ///< another body
+};
+
+/// "born", "none", "brain", "body".
+std::string_view ChangeName(Change change);
+
 struct SeasonResult {
   std::string season;
+  Profile profile = Profile::kPaper;
   Outcome outcome = Outcome::kCompleted;
+  std::string reason;               ///< of the outcome; empty when completed
+  double begin = 0;                 ///< s since birth; more than 0 only if the
+                                    ///< robot lives on from another season
+  std::vector<SensedState> sensed;  ///< at the start, by the genotype's states
+  std::optional<double> inclination;  ///< rad, if the IMU was asked
+  Change change = Change::kBorn;      ///< at the start
+  std::string change_reason;  ///< "inclined False -> True"; what was sensed at
+                              ///< birth
   BodyDescriptors body;
   BrainDescriptors brain;
   Behaviour behaviour;
@@ -25,6 +57,8 @@ struct SeasonResult {
   /// is worse than any number.
   std::optional<double> fitness;
   std::uint64_t state_hash = 0;  ///< of the final physical state
+  std::int64_t steps = 0;        ///< simulated
+  int solver_warnings = 0;       ///< failures of ODE's solver
 };
 
 struct Evaluation {
@@ -35,16 +69,41 @@ struct Evaluation {
 /// at all (authors' program, fitness.py:65). `speed` in m/s.
 double SeasonFitness(double speed, int hinge_count);
 
-/// Develops for each season's environment and simulates it. The states of the
-/// genotype are sensed in every season (checked before with Sense).
-Evaluation Evaluate(const Genotype& genotype, const Scenario& scenario);
-
-/// One season of it, with the whole trajectory.
+/// One season with its whole trajectory.
 struct SeasonLife {
   SeasonResult result;
   Trajectory trajectory;
 };
-SeasonLife LiveSeason(const Genotype& genotype, const Scenario& scenario,
-                      const Season& season);
+
+/// A genotype on its way through a scenario, season by season: sense, regulate,
+/// develop, live. What it senses must be known (CheckSenses).
+class Life {
+ public:
+  Life(const Genotype& genotype, const Scenario& scenario)
+      : genotype_(genotype), scenario_(scenario) {}
+
+  bool is_over() const { return next_ == scenario_.seasons.size(); }
+  /// Lives the next season.
+  SeasonLife Next();
+
+ private:
+  bool LivesOn() const;
+  Environment SenseAt(const Season& season, const SimulationOptions& options,
+                      const Spot& spot, SeasonResult& result) const;
+  void TellChange(const Phenotype& robot, SeasonResult& result) const;
+  Lived LiveIn(const Season& season, const SimulationOptions& options,
+               const Phenotype& robot, const Spot& spot) const;
+
+  Genotype genotype_;
+  Scenario scenario_;
+  std::size_t next_ = 0;
+  std::string ended_;  ///< continuous lives: why there is no robot any more
+  std::optional<Phenotype> robot_;   ///< of the season before
+  std::vector<SensedState> sensed_;  ///< in the season before
+  LifeState state_;                  ///< at its end
+};
+
+/// All seasons.
+Evaluation Evaluate(const Genotype& genotype, const Scenario& scenario);
 
 }  // namespace plsc

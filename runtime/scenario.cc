@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <numbers>
-
 #include "runtime/environment.h"
 #include "runtime/scenario_yaml.h"
 
@@ -26,22 +24,6 @@ Diagnostic SenseError(const Season& season, const State& state,
 
 }  // namespace
 
-Scenario PaperScenario() {
-  Season flat;
-  flat.name = "flat";
-  flat.start_height = kFlatStartHeight;
-  flat.senses = {{"inclined", "False"}, {"hot", "False"}};
-  Season tilted;
-  tilted.name = "tilted";
-  tilted.terrain = {TerrainType::kTilted, 5 * std::numbers::pi / 180};
-  tilted.start_height = kTiltedStartHeight;
-  tilted.senses = {{"inclined", "True"}, {"hot", "False"}};
-  Scenario scenario;
-  scenario.name = "paper";
-  scenario.seasons = {flat, tilted};
-  return scenario;
-}
-
 Result<Scenario> ParseScenario(const Source& yaml) {
   const YamlFile file(yaml);
   Scenario scenario;
@@ -59,23 +41,50 @@ std::string PrintScenario(const Scenario& scenario) {
 }
 
 Result<Environment> Sense(const Season& season,
-                          const std::vector<State>& states) {
+                          const std::vector<State>& states,
+                          const std::map<std::string, std::string>& felt) {
   Environment environment;
   std::vector<Diagnostic> errors;
   for (const State& state : states) {
-    const auto sensed = season.senses.find(state.name);
-    if (sensed == season.senses.end())
+    const auto given = season.senses.find(state.name);
+    const auto own = felt.find(state.name);
+    const bool is_given = given != season.senses.end();
+    if (!is_given && own == felt.end()) {
       errors.push_back(SenseError(
           season, state, "nothing",
           fmt::format("add '{}' to the senses of the season", state.name)));
-    else if (const auto value = ParseStateValue(sensed->second, state))
+      continue;
+    }
+    const std::string& text = is_given ? given->second : own->second;
+    if (const auto value = ParseStateValue(text, state))
       environment.values.push_back(*value);
     else
       errors.push_back(
-          SenseError(season, state, fmt::format("'{}'", sensed->second), ""));
+          SenseError(season, state, fmt::format("'{}'", text), ""));
   }
   if (!errors.empty()) return errors;
   return environment;
+}
+
+bool IsFelt(const Scenario& scenario, const Season& season,
+            const State& state) {
+  return scenario.sensing == Sensing::kImu && state.name == "inclined" &&
+         state.type == StateType::kBool && !season.senses.contains(state.name);
+}
+
+std::vector<Diagnostic> CheckSenses(const Scenario& scenario,
+                                    const std::vector<State>& states) {
+  std::vector<Diagnostic> errors;
+  for (const Season& season : scenario.seasons) {
+    std::vector<State> to_give;
+    for (const State& state : states)
+      if (!IsFelt(scenario, season, state)) to_give.push_back(state);
+    const Result<Environment> sensed = Sense(season, to_give);
+    if (!sensed)
+      errors.insert(errors.end(), sensed.diagnostics().begin(),
+                    sensed.diagnostics().end());
+  }
+  return errors;
 }
 
 }  // namespace plsc

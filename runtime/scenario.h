@@ -1,32 +1,54 @@
 #pragma once
 
-// What robots live through: seasons, each with its ground, its duration and
-// what a robot senses there, and the physics they share. Read from YAML
-// (runtime/scenario.cc is one of the two places that know YAML).
+// What robots live through: seasons, each with its ground, its duration, its
+// physics and what a robot is told there, and what they share. Read from YAML
+// (runtime/scenario.cc is one of the two places that know YAML). The values of
+// what a file leaves out are its profile's (runtime/scenario_profile.h).
 
+#include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "compiler/genotype.h"
 #include "grammar/result.h"
+#include "sim/imu.h"
+#include "sim/measures.h"
 #include "sim/options.h"
 #include "sim/terrain.h"
 
 namespace plsc {
 
-/// Where robots start, m, core's centre above the origin: as the authors
-/// configured it for each ground (authors' program, plastic_big.py:35).
-inline constexpr double kFlatStartHeight = 0.03;
-inline constexpr double kTiltedStartHeight = 0.1;
+/// A named set of values. Every one of them is a key of the scenario, too.
+enum class Profile : std::uint8_t {
+  kPaper,      ///< what the paper's text says
+  kPublished,  ///< what the authors' program ran
+};
+
+enum class Lives : std::uint8_t {
+  /// Each season is lived from a fresh start at the origin.
+  kIndependent,
+  /// One life: the robot stays where it is, redevelops there if it senses
+  /// something else, and lives on.
+  kContinuous,
+};
+
+/// Where `inclined` comes from if a season does not give it.
+enum class Sensing : std::uint8_t {
+  kImu,    ///< from the core's IMU (sim/imu)
+  kGiven,  ///< from nowhere: every season must give it
+};
 
 struct Season {
   std::string name;
   Terrain terrain;
-  double duration = 50;                    ///< s
-  double start_height = kFlatStartHeight;  ///< m
-  /// What a robot senses, by state name, as written in a clause: "True",
+  double duration = 50;  ///< s
+  /// As SimulationOptions: m, or nothing for a start at rest on the ground.
+  std::optional<double> start_height;
+  PhysicsOptions physics;
+  /// What a robot is told, by state name, as written in a clause: "True",
   /// "30.5", "wet". May name states that a genotype does not ask about.
   std::map<std::string, std::string> senses;
 
@@ -35,18 +57,24 @@ struct Season {
 
 struct Scenario {
   std::string name;
+  Profile profile = Profile::kPaper;
+  Lives lives = Lives::kIndependent;
   std::vector<Season> seasons;
-  double sample_interval = 0.2;  ///< s
-  ControllerMode controller = ControllerMode::kOpenLoop;
-  PhysicsOptions physics;
+  double sample_interval = 0.2;   ///< s
+  double start_clearance = 1e-4;  ///< m, of a start at rest
+  ControllerMode controller = ControllerMode::kCoupled;
+  MeasuredPoint measured = MeasuredPoint::kMassCentre;
+  Sensing sensing = Sensing::kImu;
+  ImuOptions imu;
+  int max_steps = 1000000;  ///< of a season
+  int max_links = 256;      ///< of a robot
   ServoOptions servo;
 
   friend bool operator==(const Scenario&, const Scenario&) = default;
 };
 
-/// The paper's: 50 s Flat, then 50 s Tilted by 5 degrees, where `inclined` is
-/// sensed; `hot` is False in both.
-Scenario PaperScenario();
+/// "paper", "published".
+std::string_view ProfileName(Profile profile);
 
 /// Unknown keys, wrong types and wrong units are errors with their place.
 Result<Scenario> ParseScenario(const Source& yaml);
@@ -55,9 +83,19 @@ Result<Scenario> ParseScenario(const Source& yaml);
 /// returns an equal one.
 std::string PrintScenario(const Scenario& scenario);
 
-/// What a robot with these states senses in the season; an error names each
-/// state for which the season has no value, or one of the wrong type.
+/// What a robot with these states senses in the season: what the season gives,
+/// else what the robot felt ("inclined" to "True"). An error names each state
+/// that has no value, or one of the wrong type.
 Result<Environment> Sense(const Season& season,
-                          const std::vector<State>& states);
+                          const std::vector<State>& states,
+                          const std::map<std::string, std::string>& felt = {});
+
+/// States that robots can feel by themselves in the season, which so need not
+/// be given: a bool of the name "inclined", if the IMU is asked.
+bool IsFelt(const Scenario& scenario, const Season& season, const State& state);
+
+/// The errors of Sense for all seasons, what robots feel taken as known.
+std::vector<Diagnostic> CheckSenses(const Scenario& scenario,
+                                    const std::vector<State>& states);
 
 }  // namespace plsc

@@ -6,63 +6,34 @@
 #include <charconv>
 #include <numbers>
 
+#include "runtime/scenario_physics.h"
+#include "runtime/scenario_profile.h"
+#include "runtime/scenario_terrain.h"
+
 namespace plsc {
 
 namespace {
 
-template <typename Options>
-struct NumberKey {
-  const char* name;
-  double Options::*field;
-  Quantity quantity;
-};
-
-// Limits of plausible worlds, wide enough for any experiment; beyond them a
-// number is a slip of the pen, or ODE fails.
-constexpr Quantity kDuration = {Dimension::kTime, 0, 3600, true};
+// Limits of plausible lives; max_steps is the one that counts.
+constexpr Quantity kDuration = {Dimension::kTime, 0, 1e6, true};
 constexpr Quantity kSampleInterval = {Dimension::kTime, 0, 60, true};
 constexpr Quantity kStartHeight = {Dimension::kLength, 0, 10};
-// Beyond 89 degrees the ground is a wall.
-constexpr Quantity kTilt = {Dimension::kAngle, 0, 89 * std::numbers::pi / 180};
+constexpr Quantity kClearance = {Dimension::kLength, 0, 1};
+constexpr Quantity kThreshold = {Dimension::kAngle, 0, std::numbers::pi};
+constexpr Quantity kSettling = {Dimension::kTime, 0, 60};
 
-// A field more must get its key here and in docs/experiments.md, or results
-// would depend on what no file says.
-static_assert(sizeof(PhysicsOptions) == 104 && sizeof(ServoOptions) == 40);
+// Of start_height: on the ground instead of above it.
+constexpr const char* kResting = "resting";
 
-// One table for reading, printing and the round trip between them. In the
-// order of PhysicsOptions, which explains the fields.
-const std::vector<NumberKey<PhysicsOptions>>& PhysicsKeys() {
-  using enum Dimension;
-  static const std::vector<NumberKey<PhysicsOptions>> keys = {
-      {"step", &PhysicsOptions::step, {kTime, 0, 0.1, true}},
-      {"gravity", &PhysicsOptions::gravity, {kAcceleration, 0, 1000}},
-      {"world_erp", &PhysicsOptions::world_erp, {kNumber, 0, 1}},
-      {"world_cfm", &PhysicsOptions::world_cfm, {kNumber, 0, 1}},
-      {"friction", &PhysicsOptions::friction, {kNumber, 0, 1000}},
-      {"slip", &PhysicsOptions::slip, {kSlip, 0, 1000}},
-      {"robot_kp", &PhysicsOptions::robot_kp, {kStiffness, 0, 1e12, true}},
-      {"robot_kd", &PhysicsOptions::robot_kd, {kViscosity, 0, 1e12}},
-      {"ground_kp", &PhysicsOptions::ground_kp, {kStiffness, 0, 1e12, true}},
-      {"ground_kd", &PhysicsOptions::ground_kd, {kViscosity, 0, 1e12}},
-      {"damping", &PhysicsOptions::damping, {kNumber, 0, 1}},
-  };
-  return keys;
+const std::vector<std::string>& ProfileNames() {
+  static const std::vector<std::string> names = {
+      std::string(ProfileName(Profile::kPaper)),
+      std::string(ProfileName(Profile::kPublished))};
+  return names;
 }
 
-const std::vector<NumberKey<ServoOptions>>& ServoKeys() {
-  using enum Dimension;
-  static const std::vector<NumberKey<ServoOptions>> keys = {
-      {"range", &ServoOptions::range, {kAngle, 0, std::numbers::pi, true}},
-      {"gain", &ServoOptions::gain, {kRate, 0, 1000, true}},
-      {"max_speed", &ServoOptions::max_speed, {kAngularSpeed, 0, 1000, true}},
-      {"max_torque", &ServoOptions::max_torque, {kTorque, 0, 1000, true}},
-      {"update_rate", &ServoOptions::update_rate, {kFrequency, 0, 1e4, true}},
-  };
-  return keys;
-}
-
-const std::vector<std::string>& SolverNames() {
-  static const std::vector<std::string> names = {"direct", "iterative"};
+const std::vector<std::string>& LivesNames() {
+  static const std::vector<std::string> names = {"independent", "continuous"};
   return names;
 }
 
@@ -71,51 +42,26 @@ const std::vector<std::string>& ControllerNames() {
   return names;
 }
 
-template <typename Options>
-void ReadNumbers(YamlMap& map, const std::vector<NumberKey<Options>>& keys,
-                 Options& options) {
-  for (const NumberKey<Options>& key : keys)
-    options.*key.field = map.Number(key.name, options.*key.field, key.quantity);
+const std::vector<std::string>& MeasuredNames() {
+  static const std::vector<std::string> names = {"mass_centre", "core"};
+  return names;
 }
 
-PhysicsOptions ReadPhysics(YamlMap map) {
-  PhysicsOptions physics;
-  physics.solver = static_cast<Solver>(map.Choice(
-      "solver", static_cast<std::size_t>(physics.solver), SolverNames()));
-  physics.solver_iterations =
-      map.Int("solver_iterations", physics.solver_iterations, 1, 100000);
-  physics.max_direct_links =
-      map.Int("max_direct_links", physics.max_direct_links, 0, 100000);
-  physics.max_direct_links =
-      map.Int("max_direct_links", physics.max_direct_links, 0, 100000);
-  ReadNumbers(map, PhysicsKeys(), physics);
-  map.Close();
-  return physics;
+const std::vector<std::string>& SensingNames() {
+  static const std::vector<std::string> names = {"imu", "given"};
+  return names;
 }
 
-ServoOptions ReadServo(YamlMap map) {
-  ServoOptions servo;
-  ReadNumbers(map, ServoKeys(), servo);
-  map.Close();
-  return servo;
+template <typename Enum>
+void ReadChoice(YamlMap& map, const char* key,
+                const std::vector<std::string>& names, Enum& value) {
+  value = static_cast<Enum>(
+      map.Choice(key, static_cast<std::size_t>(value), names));
 }
 
-Terrain ReadTerrain(const YamlValue& value) {
-  if (!value.is_map()) {
-    const auto choice = value.Choice({"flat", "tilted"});
-    if (choice == 1u)
-      value.Report("P5106", "expected the tilt of the ground",
-                   "write 'terrain: {tilted: 5 deg}'");
-    return {};
-  }
-  YamlMap map = *value.Map("a terrain");
-  Terrain terrain;
-  if (const auto tilt = map.Need("tilted", "write '{tilted: 5 deg}'")) {
-    terrain.type = TerrainType::kTilted;
-    terrain.tilt = tilt->Number(kTilt).value_or(0);
-  }
-  map.Close();
-  return terrain;
+template <typename Enum>
+const std::string& NameIn(const std::vector<std::string>& names, Enum value) {
+  return names[static_cast<std::size_t>(value)];
 }
 
 std::map<std::string, std::string> ReadSenses(YamlMap map) {
@@ -143,22 +89,34 @@ bool IsFileName(std::string_view name) {
          !name.starts_with('.');
 }
 
-Season ReadSeason(const YamlValue& value) {
+std::optional<double> ReadStartHeight(const YamlValue& value) {
+  if (value.is_scalar() && !value.is_quoted() && value.text() == kResting)
+    return std::nullopt;
+  return value.Number(kStartHeight);
+}
+
+Season ReadSeason(const YamlValue& value, Profile profile,
+                  const PhysicsPatch& shared) {
   Season season;
   std::optional<YamlMap> map = value.Map("a season");
   if (!map) return season;
-  if (const auto terrain = map->Find("terrain"))
-    season.terrain = ReadTerrain(*terrain);
-  const bool is_flat = season.terrain.type == TerrainType::kFlat;
-  season.name = map->Text("name", is_flat ? "flat" : "tilted");
+  Terrain terrain;
+  if (const auto written = map->Find("terrain"))
+    terrain = ReadTerrain(*written);
+  season = ProfileSeason(profile, terrain);
+  season.physics = Patched(season.physics, shared);
+  season.name = map->Text("name", TerrainName(terrain.type));
   if (!IsFileName(season.name))
     map->Find("name")->Report(
         "P5107", "expected a name of letters, digits, '_', '-' and '.'",
         "files are called after seasons");
   season.duration = map->Number("duration", season.duration, kDuration);
-  season.start_height = map->Number(
-      "start_height", is_flat ? kFlatStartHeight : kTiltedStartHeight,
-      kStartHeight);
+  if (const auto height = map->Find("start_height"))
+    season.start_height = ReadStartHeight(*height);
+  if (const auto physics = map->Find("physics"))
+    if (auto physics_map = physics->Map("physical constants"))
+      season.physics =
+          Patched(season.physics, ReadPhysics(std::move(*physics_map)));
   if (const auto senses = map->Find("senses"))
     if (auto senses_map = senses->Map("what is sensed, by state"))
       season.senses = ReadSenses(std::move(*senses_map));
@@ -166,7 +124,8 @@ Season ReadSeason(const YamlValue& value) {
   return season;
 }
 
-std::vector<Season> ReadSeasons(YamlMap& map) {
+std::vector<Season> ReadSeasons(YamlMap& map, Profile profile,
+                                const PhysicsPatch& shared) {
   std::vector<Season> seasons;
   const auto value =
       map.Need("seasons", "write 'seasons: [{terrain: flat, senses: {...}}]'");
@@ -176,7 +135,7 @@ std::vector<Season> ReadSeasons(YamlMap& map) {
   if (items->empty())
     value->Report("P5108", "expected at least one season, found none");
   for (const YamlValue& item : *items) {
-    Season season = ReadSeason(item);
+    Season season = ReadSeason(item, profile, shared);
     const bool is_known = std::any_of(
         seasons.begin(), seasons.end(),
         [&](const Season& other) { return other.name == season.name; });
@@ -191,18 +150,35 @@ std::vector<Season> ReadSeasons(YamlMap& map) {
 
 void CheckSampling(YamlMap& map, const Scenario& scenario) {
   const YamlValue place = map.Find("sample_interval").value_or(map.place());
-  if (scenario.sample_interval < scenario.physics.step)
-    place.Report("P5108",
-                 fmt::format("samples every {} s are closer than the steps of "
-                             "{} s",
-                             scenario.sample_interval, scenario.physics.step));
-  for (const Season& season : scenario.seasons)
+  for (const Season& season : scenario.seasons) {
+    if (scenario.sample_interval < season.physics.step)
+      place.Report("P5108",
+                   fmt::format("samples every {} s are closer than the steps "
+                               "of season '{}', {} s",
+                               scenario.sample_interval, season.name,
+                               season.physics.step));
     if (scenario.sample_interval > season.duration)
       place.Report(
           "P5108",
           fmt::format("samples every {} s are further apart than "
                       "season '{}' is long, {} s",
                       scenario.sample_interval, season.name, season.duration));
+  }
+}
+
+/// Before any robot waits for it.
+void CheckLengths(YamlMap& map, const Scenario& scenario) {
+  const YamlValue place = map.Find("max_steps").value_or(map.place());
+  for (const Season& season : scenario.seasons) {
+    const double steps = season.duration / season.physics.step;
+    if (steps > scenario.max_steps)
+      place.Report(
+          "P5108",
+          fmt::format("season '{}' of {} s takes {:.0f} steps, more "
+                      "than max_steps, {}",
+                      season.name, season.duration, steps, scenario.max_steps),
+          "a longer season needs a greater 'max_steps'");
+  }
 }
 
 std::string PrintSenses(const std::map<std::string, std::string>& senses) {
@@ -218,52 +194,69 @@ std::string PrintSenses(const std::map<std::string, std::string>& senses) {
   return fmt::format("{{{}}}", fmt::join(items, ", "));
 }
 
-std::string PrintSeason(const Season& season, const std::string& blanks) {
-  const std::string terrain =
-      season.terrain.type == TerrainType::kFlat
-          ? "flat"
-          : fmt::format("{{tilted: {}}}",
-                        PrintQuantity(season.terrain.tilt, Dimension::kAngle));
+std::string PrintSeason(const Season& season, const PhysicsOptions& shared,
+                        const std::string& blanks) {
+  const std::string height =
+      season.start_height
+          ? PrintQuantity(*season.start_height, Dimension::kLength)
+          : kResting;
   std::string text;
   text += fmt::format("{}- name: {}\n", blanks, PrintYamlText(season.name));
-  text += fmt::format("{}  terrain: {}\n", blanks, terrain);
+  text +=
+      fmt::format("{}  terrain: {}\n", blanks, PrintTerrain(season.terrain));
   text += fmt::format("{}  duration: {}\n", blanks,
                       PrintQuantity(season.duration, Dimension::kTime));
-  text += fmt::format("{}  start_height: {}\n", blanks,
-                      PrintQuantity(season.start_height, Dimension::kLength));
+  text += fmt::format("{}  start_height: {}\n", blanks, height);
+  if (season.physics != shared)
+    text += fmt::format("{}  physics: {}\n", blanks,
+                        PrintPhysicsChanges(season.physics, shared));
   text += fmt::format("{}  senses: {}\n", blanks, PrintSenses(season.senses));
   return text;
 }
 
-template <typename Options>
-std::string PrintNumbers(const std::vector<NumberKey<Options>>& keys,
-                         const Options& options, const std::string& blanks) {
-  std::string text;
-  for (const NumberKey<Options>& key : keys)
-    text +=
-        fmt::format("{}{}: {}\n", blanks, key.name,
-                    PrintQuantity(options.*key.field, key.quantity.dimension));
-  return text;
+void ReadLimits(YamlMap& map, Scenario& scenario) {
+  constexpr int kMost = 2000000000;  // a year of computing
+  scenario.max_steps = map.Int("max_steps", scenario.max_steps, 1, kMost);
+  scenario.max_links = map.Int("max_links", scenario.max_links, 1, kMost);
+}
+
+void ReadImu(YamlMap& map, ImuOptions& imu) {
+  const auto value = map.Find("imu");
+  if (!value) return;
+  auto keys = value->Map("constants of the IMU");
+  if (!keys) return;
+  imu.threshold = keys->Number("threshold", imu.threshold, kThreshold);
+  imu.settling = keys->Number("settling", imu.settling, kSettling);
+  keys->Close();
 }
 
 }  // namespace
 
 Scenario ReadScenario(YamlMap& map) {
-  Scenario scenario;
+  auto profile = Profile::kPaper;
+  ReadChoice(map, "profile", ProfileNames(), profile);
+  Scenario scenario = ProfileScenario(profile);
   scenario.name = map.Text("name", "");
-  if (const auto physics = map.Find("physics"))
-    if (auto physics_map = physics->Map("physical constants"))
-      scenario.physics = ReadPhysics(std::move(*physics_map));
+  ReadChoice(map, "lives", LivesNames(), scenario.lives);
+  PhysicsPatch physics;
+  if (const auto written = map.Find("physics"))
+    if (auto physics_map = written->Map("physical constants"))
+      physics = ReadPhysics(std::move(*physics_map));
   if (const auto servo = map.Find("servo"))
     if (auto servo_map = servo->Map("constants of the servo"))
-      scenario.servo = ReadServo(std::move(*servo_map));
-  scenario.controller = static_cast<ControllerMode>(
-      map.Choice("controller", static_cast<std::size_t>(scenario.controller),
-                 ControllerNames()));
+      scenario.servo = ReadServo(std::move(*servo_map), scenario.servo);
+  ReadChoice(map, "controller", ControllerNames(), scenario.controller);
+  ReadChoice(map, "measured", MeasuredNames(), scenario.measured);
+  ReadChoice(map, "sensing", SensingNames(), scenario.sensing);
+  ReadImu(map, scenario.imu);
+  ReadLimits(map, scenario);
   scenario.sample_interval =
       map.Number("sample_interval", scenario.sample_interval, kSampleInterval);
-  scenario.seasons = ReadSeasons(map);
+  scenario.start_clearance =
+      map.Number("start_clearance", scenario.start_clearance, kClearance);
+  scenario.seasons = ReadSeasons(map, profile, physics);
   CheckSampling(map, scenario);
+  CheckLengths(map, scenario);
   map.Close();
   return scenario;
 }
@@ -272,28 +265,36 @@ std::string PrintScenarioKeys(const Scenario& scenario, int indent) {
   const std::string blanks(static_cast<std::size_t>(indent), ' ');
   const std::string deeper = blanks + "  ";
   std::string text;
-  if (!scenario.name.empty())
-    text += fmt::format("{}name: {}\n", blanks, PrintYamlText(scenario.name));
+  const auto add = [&](const char* key, const auto& value) {
+    text += fmt::format("{}{}: {}\n", blanks, key, value);
+  };
+  // Of the first season; others say what differs.
+  const PhysicsOptions physics = scenario.seasons.empty()
+                                     ? PhysicsOptions{}
+                                     : scenario.seasons.front().physics;
+  if (!scenario.name.empty()) add("name", PrintYamlText(scenario.name));
+  add("profile", ProfileName(scenario.profile));
+  add("lives", NameIn(LivesNames(), scenario.lives));
   text += fmt::format("{}seasons:\n", blanks);
   for (const Season& season : scenario.seasons)
-    text += PrintSeason(season, deeper);
-  text +=
-      fmt::format("{}sample_interval: {}\n", blanks,
-                  PrintQuantity(scenario.sample_interval, Dimension::kTime));
-  text += fmt::format(
-      "{}controller: {}\n", blanks,
-      ControllerNames()[static_cast<std::size_t>(scenario.controller)]);
-  const PhysicsOptions& physics = scenario.physics;
+    text += PrintSeason(season, physics, deeper);
+  add("sample_interval",
+      PrintQuantity(scenario.sample_interval, Dimension::kTime));
+  add("start_clearance",
+      PrintQuantity(scenario.start_clearance, Dimension::kLength));
+  add("controller", NameIn(ControllerNames(), scenario.controller));
+  add("measured", NameIn(MeasuredNames(), scenario.measured));
+  add("sensing", NameIn(SensingNames(), scenario.sensing));
+  add("imu",
+      fmt::format("{{threshold: {}, settling: {}}}",
+                  PrintQuantity(scenario.imu.threshold, Dimension::kAngle),
+                  PrintQuantity(scenario.imu.settling, Dimension::kTime)));
+  add("max_steps", scenario.max_steps);
+  add("max_links", scenario.max_links);
   text += fmt::format("{}physics:\n", blanks);
-  text += fmt::format("{}solver: {}\n", deeper,
-                      SolverNames()[static_cast<std::size_t>(physics.solver)]);
-  text += fmt::format("{}solver_iterations: {}\n", deeper,
-                      physics.solver_iterations);
-  text +=
-      fmt::format("{}max_direct_links: {}\n", deeper, physics.max_direct_links);
-  text += PrintNumbers(PhysicsKeys(), physics, deeper);
+  text += PrintPhysics(physics, deeper);
   text += fmt::format("{}servo:\n", blanks);
-  text += PrintNumbers(ServoKeys(), scenario.servo, deeper);
+  text += PrintServo(scenario.servo, deeper);
   return text;
 }
 

@@ -42,6 +42,7 @@ const DimensionInfo& InfoOf(Dimension dimension) {
       {"a stiffness", "90000 N/m", {{"N/m"}}},
       {"a damping coefficient", "90000 N s/m", {{"N s/m"}}},
       {"a slip", "0.01 m/s/N", {{"m/s/N"}}},
+      {"a speed", "0.5 m/s", {{"m/s"}}},
   };
   return infos[static_cast<std::size_t>(dimension)];
 }

@@ -25,6 +25,7 @@ enum class Dimension : std::uint8_t {
   kStiffness,
   kViscosity,
   kSlip,
+  kSpeed,
 };
 
 /// What a key accepts: its dimension and its range, in SI.

@@ -59,11 +59,15 @@ struct Module {
   int number = 0;     ///< 1 the core, 2, 3... in order of mounting; sensors 0
 
   int child(Slot s) const { return children[static_cast<std::size_t>(s)]; }
+
+  friend bool operator==(const Module&, const Module&) = default;
 };
 
 /// In order of mounting; modules[0] is the core, parents precede children.
 struct Body {
   std::vector<Module> modules;
+
+  friend bool operator==(const Body&, const Body&) = default;
 };
 
 /// The paper's name of a module's symbol: "C", "B", "A1", "A2", "T".

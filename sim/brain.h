@@ -20,6 +20,8 @@ struct Node {
   double amplitude = 0;
   double period = 0;        ///< s
   double phase_offset = 0;  ///< in periods; only its fraction acts
+
+  friend bool operator==(const Node&, const Node&) = default;
 };
 
 /// Directed edge; source == destination is a recurrent edge (loop). Otherwise
@@ -28,12 +30,16 @@ struct Connection {
   int source = 0;       ///< index into Brain::nodes
   int destination = 0;  ///< index into Brain::nodes
   double weight = 0;    ///< -1 to 1
+
+  friend bool operator==(const Connection&, const Connection&) = default;
 };
 
 /// Both in order of creation; node i is the "node(i+1)" of files.
 struct Brain {
   std::vector<Node> nodes;
   std::vector<Connection> connections;
+
+  friend bool operator==(const Brain&, const Brain&) = default;
 };
 
 /// Inputs for the six channels of the core's IMU (linear acceleration x y z,

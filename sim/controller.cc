@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <utility>
 
 namespace plsc {
 namespace {
@@ -46,6 +47,11 @@ Controller::Controller(const Phenotype& phenotype, ControllerMode mode)
     assert(node.type == NodeType::kInput || joint != kNoModule);
     joint_of_node_.push_back(joint);
   }
+}
+
+void Controller::Remember(std::vector<double> memory) {
+  assert(memory.size() == previous_.size());
+  previous_ = std::move(memory);
 }
 
 double Controller::Coupled(std::size_t node, double free_output,

@@ -30,6 +30,11 @@ class Controller {
   /// the order of Body::modules; 0.5 for a joint without oscillator.
   std::vector<double> Update(double time, const std::vector<bool>& touched);
 
+  /// What loops remember: the latest output by node, 0.5 before the first.
+  const std::vector<double>& memory() const { return previous_; }
+  /// As another controller of the same brain had it.
+  void Remember(std::vector<double> memory);
+
  private:
   double Coupled(std::size_t node, double free_output,
                  const std::vector<bool>& touched) const;
@@ -38,7 +43,7 @@ class Controller {
   ControllerMode mode_;
   std::vector<int> joint_of_node_;  ///< kNoModule for inputs
   std::size_t joints_ = 0;
-  std::vector<double> previous_;  ///< by node; 0.5 before the first update
+  std::vector<double> previous_;
 };
 
 }  // namespace plsc

@@ -32,10 +32,31 @@ const GroundContact& Best(const std::vector<GroundContact>& contacts,
 // triangles are larger by far; what is smaller is rounding.
 constexpr double kNoArea = 1e-9;
 
+/// -1, 1 and, if the side is long, 0.
+std::vector<double> Places(double side) {
+  if (side > kFineSide) return {-1, 0, 1};
+  return {-1, 1};
+}
+
+/// Of the surface, about the box's centre.
+Eigen::Matrix3Xd FinePoints(const Box& box) {
+  std::vector<Vector3d> points;
+  for (const double x : Places(box.size.x()))
+    for (const double y : Places(box.size.y()))
+      for (const double z : Places(box.size.z()))
+        if (x != 0 || y != 0 || z != 0)
+          points.push_back(box.axes * Vector3d(x, y, z).cwiseProduct(box.size) /
+                           2);
+  Eigen::Matrix3Xd all(3, static_cast<Eigen::Index>(points.size()));
+  for (std::size_t i = 0; i < points.size(); ++i)
+    all.col(static_cast<Eigen::Index>(i)) = points[i];
+  return all;
+}
+
 }  // namespace
 
 Vector3d GroundNormal(const Terrain& terrain) {
-  if (terrain.type == TerrainType::kFlat) return Vector3d::UnitZ();
+  if (terrain.type != TerrainType::kTilted) return Vector3d::UnitZ();
   return {0, -std::sin(terrain.tilt), std::cos(terrain.tilt)};
 }
 
@@ -52,6 +73,9 @@ LinkCorners CornersOf(const Link& link) {
                                 box.axes * signs.cwiseProduct(box.size) / 2;
       corners.radius = std::max(corners.radius, next.points.col(corner).norm());
     }
+    next.centre = box.centre - link.centre;
+    next.radius = box.size.norm() / 2;
+    next.fine = FinePoints(box).colwise() + next.centre;
     corners.boxes.push_back(next);
   }
   return corners;
@@ -70,7 +94,31 @@ void AppendGroundContacts(const LinkCorners& link, const LinkPose& pose,
       const double depth = -(height + up.dot(point));
       if (depth < 0) continue;
       contacts.push_back(
-          {box.module, depth, pose.position + pose.axes * point});
+          {box.module, depth, pose.position + pose.axes * point, normal});
+    }
+  }
+}
+
+void AppendRoughContacts(const LinkCorners& link, const LinkPose& pose,
+                         const HeightField& field,
+                         std::vector<GroundContact>& contacts) {
+  if (pose.position.z() - link.radius > field.bound()) return;
+  for (const BoxCorners& box : link.boxes) {
+    const Vector3d centre = pose.position + pose.axes * box.centre;
+    // The ground under any point of the box is at most so much higher than
+    // under its centre.
+    const double rise = field.steepest() * box.radius;
+    if (centre.z() - box.radius - rise >
+        field.At(centre.x(), centre.y()).height)
+      continue;
+    for (Eigen::Index i = 0; i < box.fine.cols(); ++i) {
+      const Vector3d point = pose.position + pose.axes * box.fine.col(i);
+      const HeightField::Point ground = field.At(point.x(), point.y());
+      const double below = ground.height - point.z();
+      if (below < 0) continue;
+      const Vector3d normal =
+          Vector3d(-ground.slope_x, -ground.slope_y, 1).normalized();
+      contacts.push_back({box.module, below * normal.z(), point, normal});
     }
   }
 }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "sim/assembly.h"
+#include "sim/height_field.h"
 #include "sim/terrain.h"
 
 namespace plsc {
@@ -17,14 +18,24 @@ namespace plsc {
 /// link but for slivers of it.
 inline constexpr int kMaxGroundContacts = 4;
 
-/// Unit normal of the ground, which passes through the origin.
+/// Unit normal of the plane of the ground, which passes through the origin;
+/// of grounds that are no plane, the vertical.
 Eigen::Vector3d GroundNormal(const Terrain& terrain);
 
 /// The corners of a box, about its link's centre of mass.
 struct BoxCorners {
   int module = 0;  ///< index into Body::modules
   Eigen::Matrix<double, 3, 8> points;
+  /// Points that rough ground is held against: the corners, and the middles
+  /// of edges and faces of sides longer than kFineSide.
+  Eigen::Matrix3Xd fine;
+  double radius = 0;       ///< m, from the centre to a corner
+  Eigen::Vector3d centre;  ///< m
 };
+
+/// m. Sides of a core, a brick, a frame, a plate and a sensor can be longer;
+/// a core's points are 44.5 mm apart, all others at most 20.5 mm.
+inline constexpr double kFineSide = 0.03;
 
 /// A link as the ground sees it.
 struct LinkCorners {
@@ -38,6 +49,7 @@ struct GroundContact {
   int module = 0;            ///< index into Body::modules
   double depth = 0;          ///< m, at least 0
   Eigen::Vector3d position;  ///< m, world frame
+  Eigen::Vector3d normal;    ///< unit, out of the ground
 };
 
 /// Where a link is: its centre of mass, and its axes as columns.
@@ -50,6 +62,13 @@ struct LinkPose {
 void AppendGroundContacts(const LinkCorners& link, const LinkPose& pose,
                           const Eigen::Vector3d& normal,
                           std::vector<GroundContact>& contacts);
+
+/// On rough ground, of the points of BoxCorners::fine; depth and normal are to
+/// the tangent plane at the point. Hills narrower than the points are apart
+/// may reach into a box from below unseen.
+void AppendRoughContacts(const LinkCorners& link, const LinkPose& pose,
+                         const HeightField& field,
+                         std::vector<GroundContact>& contacts);
 
 /// At most kMaxGroundContacts of them: the deepest, the one farthest from it,
 /// and the two that widen the support most. Fewer if the rest adds no width.

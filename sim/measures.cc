@@ -7,7 +7,7 @@
 namespace plsc {
 namespace {
 
-/// m, of the core's centre as seen from above, from sample to sample.
+/// m, as seen from above, from sample to sample.
 double PathLength(const Eigen::Matrix3Xd& position) {
   double length = 0;
   for (Eigen::Index i = 1; i < position.cols(); ++i)
@@ -25,7 +25,7 @@ double Balance(const Eigen::Matrix3Xd& orientation) {
 
 }  // namespace
 
-Behaviour Measure(const Trajectory& trajectory, int size) {
+Behaviour Measure(const Trajectory& trajectory, int size, MeasuredPoint point) {
   assert(size >= 1);
   Behaviour behaviour;
   const Eigen::Index last = trajectory.time.size() - 1;
@@ -37,11 +37,13 @@ Behaviour Measure(const Trajectory& trajectory, int size) {
   const double time = trajectory.time(last) - trajectory.time(0);
   // A life without length has no speed.
   if (time <= 0) return behaviour;
-  const Eigen::Vector3d way =
-      trajectory.core_position.col(last) - trajectory.core_position.col(0);
+  const Eigen::Matrix3Xd& places = point == MeasuredPoint::kCore
+                                       ? trajectory.core_position
+                                       : trajectory.mass_centre;
+  const Eigen::Vector3d way = places.col(last) - places.col(0);
   behaviour.displacement_velocity_hill = way.y() / time;
   behaviour.displacement_velocity = way.head<2>().norm() / time;
-  behaviour.velocity = PathLength(trajectory.core_position) / time;
+  behaviour.velocity = PathLength(places) / time;
   return behaviour;
 }
 

@@ -16,6 +16,16 @@ std::string_view OutcomeName(Outcome outcome) {
       return "unstable";
     case Outcome::kWorkerDied:
       return "worker_died";
+    case Outcome::kFellThrough:
+      return "fell_through";
+    case Outcome::kSolverFailed:
+      return "solver_failed";
+    case Outcome::kOutOfSteps:
+      return "out_of_steps";
+    case Outcome::kTooLarge:
+      return "too_large";
+    case Outcome::kNotReached:
+      return "not_reached";
   }
   assert(false);
   return "";

@@ -10,6 +10,8 @@ namespace plsc {
 struct Phenotype {
   Body body;
   Brain brain;
+
+  friend bool operator==(const Phenotype&, const Phenotype&) = default;
 };
 
 }  // namespace plsc

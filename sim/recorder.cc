@@ -36,10 +36,10 @@ void Recorder::Sample(const World& world, double time) {
   ++count_;
 }
 
-Trajectory Recorder::Finish(const World& world, Outcome outcome,
-                            std::int64_t steps) {
+Trajectory Recorder::Finish(const World& world, std::int64_t steps) {
   Trajectory result = std::move(trajectory_);
-  result.outcome = outcome;
+  result.outcome = world.failure().outcome;
+  result.reason = world.failure().reason;
   result.steps = steps;
   result.state_hash = world.Hash();
   result.solver_warnings = world.solver_warnings();

@@ -20,8 +20,8 @@ class Recorder {
   /// `time` in s since birth. At most as many as announced.
   void Sample(const World& world, double time);
 
-  /// What was sampled, however little it is.
-  Trajectory Finish(const World& world, Outcome outcome, std::int64_t steps);
+  /// What was sampled, however little it is, and how the world fared.
+  Trajectory Finish(const World& world, std::int64_t steps);
 
  private:
   Trajectory trajectory_;

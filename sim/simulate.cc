@@ -1,14 +1,17 @@
 #include "sim/simulate.h"
 
+#include <fmt/format.h>
+
 #include <cassert>
 #include <cstddef>
+#include <memory>
+#include <utility>
 
 #include "sim/assembly.h"
 #include "sim/controller.h"
 #include "sim/overlap.h"
 #include "sim/recorder.h"
 #include "sim/schedule.h"
-#include "sim/world.h"
 
 namespace plsc {
 namespace {
@@ -16,68 +19,141 @@ namespace {
 /// A controller at its own pace, and the servos it drives.
 class Drive {
  public:
-  Drive(const Phenotype& phenotype, const SimulationOptions& options)
+  Drive(const Phenotype& phenotype, const SimulationOptions& options,
+        double birth)
       : controller_(phenotype, options.controller),
+        schedule_(options.servo, options.physics.step),
         servo_(options.servo),
-        step_(options.physics.step) {}
+        birth_(birth) {}
 
-  /// Before each step: sets the joints' speeds if an update is due. Updates
-  /// are at whole multiples of the period, the first at birth; the authors'
-  /// program is up to a step late each time.
+  /// Before each step: sets the joints' speeds if an update is due.
   void Act(std::int64_t step, World& world) {
     if (world.joints() == 0) return;
-    if (step < NearestStep(DueTime(), step_)) return;
-    const double time = DueTime();
-    // More than once only if the pace is quicker than the steps.
-    do {
-      ++updates_;
-    } while (NearestStep(DueTime(), step_) <= step);
-    const auto outputs = controller_.Update(time, world.touched());
+    const std::optional<double> due = schedule_.Due(step);
+    if (!due) return;
+    const auto outputs = controller_.Update(birth_ + *due, world.touched());
     for (int joint = 0; joint < world.joints(); ++joint)
       world.SetJointSpeed(joint,
                           ServoSpeed(outputs[static_cast<std::size_t>(joint)],
                                      world.JointAngle(joint), servo_));
   }
 
- private:
-  double DueTime() const {
-    return static_cast<double>(updates_) / servo_.update_rate;
-  }
+  Controller& controller() { return controller_; }
 
+ private:
   Controller controller_;
+  RefreshSchedule schedule_;
   ServoOptions servo_;
-  double step_;
-  std::int64_t updates_ = 0;
+  double birth_;  ///< s, of the season's start since birth
 };
+
+/// Why a life cannot even begin, if so.
+World::Failure Forbid(const Assembly& assembly,
+                      const SimulationOptions& options) {
+  const auto links = static_cast<int>(assembly.links.size());
+  if (links > options.max_links)
+    return {Outcome::kTooLarge, fmt::format("{} links, more than max_links, {}",
+                                            links, options.max_links)};
+  const double step = options.physics.step;
+  const double steps = options.duration / step;  // may be beyond an integer
+  if (!(steps <= static_cast<double>(options.max_steps)))
+    return {Outcome::kOutOfSteps,
+            fmt::format("{} s are {:.0f} steps of {} s, more than max_steps, "
+                        "{}",
+                        options.duration, steps, step, options.max_steps)};
+  if (StepsOf(options) < 1)
+    return {Outcome::kOutOfSteps,
+            fmt::format("{} s are no step of {} s", options.duration, step)};
+  const auto overlaps = FindOverlaps(assembly);
+  if (!overlaps.empty()) {
+    const auto module = [&](int link, int box) {
+      return assembly.links[static_cast<std::size_t>(link)]
+          .boxes[static_cast<std::size_t>(box)]
+          .module;
+    };
+    const Overlap& first = overlaps.front();
+    return {Outcome::kOverlapping,
+            fmt::format("{} pairs of parts intersect in the rest pose, first "
+                        "of modules {} and {}, counted from 0",
+                        overlaps.size(), module(first.link_a, first.box_a),
+                        module(first.link_b, first.box_b))};
+  }
+  return {};
+}
+
+Trajectory Nothing(const SimulationOptions& options, World::Failure failure) {
+  Trajectory nothing;
+  nothing.outcome = failure.outcome;
+  nothing.reason = std::move(failure.reason);
+  nothing.interval = options.sample_interval;
+  return nothing;
+}
+
+std::unique_ptr<World> Enter(const Assembly& assembly, const Terrain& terrain,
+                             const SimulationOptions& options,
+                             const Onset& onset) {
+  if (onset.carried == nullptr)
+    return std::make_unique<World>(
+        assembly, terrain, options,
+        StartOf(assembly, terrain, options, onset.spot));
+  auto world = std::make_unique<World>(assembly, terrain, options, Placement{});
+  const LifeState& state = *onset.carried;
+  assert(state.poses.size() == assembly.links.size());
+  for (int link = 0; link < world->links(); ++link) {
+    const auto i = static_cast<std::size_t>(link);
+    world->SetState(link, state.poses[i], state.motions[i]);
+  }
+  return world;
+}
+
+LifeState StateOf(const World& world, double time,
+                  const Controller& controller) {
+  LifeState state;
+  state.time = time;
+  state.core = {world.CorePosition(), world.PoseOf(0).axes};
+  for (int link = 0; link < world.links(); ++link) {
+    state.poses.push_back(world.PoseOf(link));
+    state.motions.push_back(world.MotionOf(link));
+  }
+  state.memory = controller.memory();
+  return state;
+}
 
 }  // namespace
 
-Trajectory Simulate(const Phenotype& phenotype, const Terrain& terrain,
-                    const SimulationOptions& options) {
+Lived Live(const Phenotype& phenotype, const Terrain& terrain,
+           const SimulationOptions& options, const Onset& onset) {
   assert(options.physics.step > 0 && options.sample_interval > 0 &&
          options.servo.update_rate > 0);
   const Assembly assembly = Assemble(phenotype.body);
-  if (!FindOverlaps(assembly).empty()) {
-    Trajectory nothing;
-    nothing.outcome = Outcome::kOverlapping;
-    nothing.interval = options.sample_interval;
-    return nothing;
-  }
-  World world(assembly, terrain, options);
-  Drive drive(phenotype, options);
+  World::Failure forbidden = Forbid(assembly, options);
+  if (forbidden.outcome != Outcome::kCompleted)
+    return {Nothing(options, std::move(forbidden)), {}};
+  const std::unique_ptr<World> world = Enter(assembly, terrain, options, onset);
+  const double birth = onset.carried ? onset.carried->time : onset.time;
+  Drive drive(phenotype, options, birth);
+  if (onset.carried) drive.controller().Remember(onset.carried->memory);
   const auto samples = SampleSteps(options);
-  Recorder recorder(world, static_cast<Eigen::Index>(samples.size()),
+  Recorder recorder(*world, static_cast<Eigen::Index>(samples.size()),
                     options.sample_interval);
+  const auto time = [&](std::int64_t step) {
+    return birth + static_cast<double>(step) * options.physics.step;
+  };
   std::int64_t step = 0;
   for (const std::int64_t due : samples) {
     for (; step < due; ++step) {
-      drive.Act(step, world);
-      if (!world.Step())
-        return recorder.Finish(world, Outcome::kUnstable, step + 1);
+      drive.Act(step, *world);
+      if (!world->Step()) return {recorder.Finish(*world, step + 1), {}};
     }
-    recorder.Sample(world, static_cast<double>(step) * options.physics.step);
+    recorder.Sample(*world, time(step));
   }
-  return recorder.Finish(world, Outcome::kCompleted, step);
+  return {recorder.Finish(*world, step),
+          StateOf(*world, time(step), drive.controller())};
+}
+
+Trajectory Simulate(const Phenotype& phenotype, const Terrain& terrain,
+                    const SimulationOptions& options) {
+  return Live(phenotype, terrain, options, {}).trajectory;
 }
 
 }  // namespace plsc

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <string>
 
 #include "sim/outcome.h"
 
@@ -12,8 +13,9 @@ namespace plsc {
 /// Sampled every `interval`, the start and the end included.
 struct Trajectory {
   Outcome outcome = Outcome::kCompleted;
+  std::string reason;                 ///< why, in words; empty when completed
   double interval = 0.2;              ///< s, between samples
-  Eigen::VectorXd time;               ///< s, (samples)
+  Eigen::VectorXd time;               ///< s since birth, (samples)
   Eigen::Matrix3Xd core_position;     ///< m, world frame, (3 x samples)
   Eigen::Matrix3Xd core_orientation;  ///< rad, roll pitch yaw: rotations about
                                       ///< the fixed x, y, z axes in this order,

@@ -1,17 +1,17 @@
 #include "sim/world.h"
 
-#include <ode/ode.h>
+#include <fmt/format.h>
 
 #include <Eigen/Geometry>
 #include <cassert>
+#include <cmath>
 #include <cstdarg>
 #include <cstddef>
 #include <mutex>
+#include <utility>
 
-#include "sim/contact_law.h"
-#include "sim/overlap.h"
-#include "sim/solver_order.h"
 #include "sim/state_hash.h"
+#include "sim/world_ode.h"
 
 namespace plsc {
 namespace {
@@ -22,6 +22,10 @@ using Eigen::Vector3d;
 /// Thrown where ODE would abort the process: its assertions are active, and a
 /// state that overflows within a step fails one.
 struct OdeFailure {};
+
+// m, that all of a link may be below the ground. A fall from 10 m ends in it:
+// 70 mm a step, which the next steps stop.
+constexpr double kDeepest = 0.1;
 
 /// Counts for the world that this thread steps, if any.
 thread_local int* warnings_in_use = nullptr;
@@ -47,75 +51,16 @@ void OpenOde() {
   });
 }
 
-Vector3d ToVector(const dReal* numbers) {
-  return {numbers[0], numbers[1], numbers[2]};
-}
-
-/// ODE's rotations are 3 rows of 4.
-Matrix3d ToMatrix(const dReal* numbers) {
-  return Eigen::Map<const Eigen::Matrix<dReal, 3, 4, Eigen::RowMajor>>(numbers)
-      .leftCols<3>();
-}
-
-// The worlds of the authors' program (plane.world, tilted5.world).
-constexpr double kMaxCorrectingSpeed = 100;  // m/s
-constexpr double kSurfaceLayer = 1e-8;       // m, depth left uncorrected
-
-// Of two boxes; ODE gives up to 8, and 4 hold as well.
-constexpr int kMaxBoxContacts = 4;
-
 }  // namespace
 
-struct World::Ode {
-  dWorldID world = nullptr;
-  dThreadingImplementationID threading = nullptr;
-  dJointGroupID group = nullptr;
-  std::vector<dBodyID> bodies;
-  std::vector<dJointID> hinges;
-  std::vector<std::vector<dGeomID>> geoms;  ///< by link; empty if no pairs
-
-  std::vector<Link> links;  ///< in the rest pose
-  std::vector<LinkCorners> corners;
-  std::vector<LinkPair> pairs;
-  std::vector<bool> touched;
-  std::vector<GroundContact> found;  ///< kept for its memory only
-  Vector3d ground;                   ///< normal
-  PhysicsOptions physics;
-  ContactLaw on_ground, on_robot;
-  SolverOrder order;
-  int contacts = 0;
-  int warnings = 0;
-  bool is_direct = true;
-  bool is_lost = false;  ///< interrupted within a step
-  Ode* next_kept = nullptr;
-
-  Ode(const Assembly& assembly, const Terrain& terrain,
-      const SimulationOptions& options);
-  ~Ode();
-  Ode(const Ode&) = delete;
-  Ode& operator=(const Ode&) = delete;
-
-  void AddBody(const Link& link, double start_height);
-  void AddHinge(const Hinge& hinge, double start_height,
-                const ServoOptions& servo);
-  void AddGeoms(const Link& link, dBodyID body);
-
-  LinkPose PoseOf(std::size_t link) const;
-  void CollideGround(std::size_t link);
-  void CollideLinks(std::size_t a, std::size_t b);
-  void CollideBoxes(std::size_t a, std::size_t b, std::size_t box_a,
-                    std::size_t box_b);
-  void AddContact(const dContactGeom& geometry, const ContactLaw& law,
-                  dBodyID first, dBodyID second);
-  bool TakeStep();
-  bool IsSane() const;
-};
-
-World::Ode::Ode(const Assembly& assembly, const Terrain& terrain,
-                const SimulationOptions& options)
+World::Ode::Ode(const Assembly& assembly, const Terrain& on,
+                const SimulationOptions& options, const Placement& placement)
     : links(assembly.links),
       pairs(CollidingPairs(assembly)),
-      ground(GroundNormal(terrain)),
+      terrain(on),
+      ground(GroundNormal(on)),
+      has_boxes(on.type == TerrainType::kSteps ||
+                on.type == TerrainType::kObstacles),
       physics(options.physics),
       on_ground(RobotOnGround(options.physics)),
       on_robot(RobotOnRobot(options.physics)),
@@ -123,6 +68,9 @@ World::Ode::Ode(const Assembly& assembly, const Terrain& terrain,
                 static_cast<int>(assembly.links.size()) <=
                     options.physics.max_direct_links) {
   OpenOde();
+  most_warnings =
+      physics.max_solver_failures * options.duration / physics.step;
+  if (on.type == TerrainType::kRough) field.emplace(on.rough);
   world = dWorldCreate();
   // The default one is shared by all worlds and not safe between threads.
   threading = dThreadingAllocateSelfThreadedImplementation();
@@ -133,31 +81,33 @@ World::Ode::Ode(const Assembly& assembly, const Terrain& terrain,
   dWorldSetERP(world, physics.world_erp);
   dWorldSetCFM(world, physics.world_cfm);
   dWorldSetDamping(world, physics.damping, physics.damping);
-  dWorldSetContactMaxCorrectingVel(world, kMaxCorrectingSpeed);
-  dWorldSetContactSurfaceLayer(world, kSurfaceLayer);
+  dWorldSetContactMaxCorrectingVel(world, physics.correcting_speed);
+  dWorldSetContactSurfaceLayer(world, physics.surface_layer);
   dWorldSetQuickStepNumIterations(world, physics.solver_iterations);
   for (const Link& link : links) {
-    AddBody(link, options.start_height);
+    AddBody(link, placement);
     corners.push_back(CornersOf(link));
     for (const Box& box : link.boxes)
       if (static_cast<std::size_t>(box.module) >= touched.size())
         touched.resize(static_cast<std::size_t>(box.module) + 1);
   }
   for (const Hinge& hinge : assembly.hinges)
-    AddHinge(hinge, options.start_height, options.servo);
-  if (pairs.empty()) return;
+    AddHinge(hinge, placement, options.servo);
+  if (has_boxes) obstacle = dCreateBox(nullptr, 1, 1, 1);
+  if (pairs.empty() && !has_boxes) return;
   for (std::size_t i = 0; i < links.size(); ++i) AddGeoms(links[i], bodies[i]);
 }
 
 World::Ode::~Ode() {
   for (const auto& of_link : geoms)
     for (const dGeomID geom : of_link) dGeomDestroy(geom);
+  if (obstacle != nullptr) dGeomDestroy(obstacle);
   dJointGroupDestroy(group);
   dWorldDestroy(world);
   dThreadingFreeImplementation(threading);
 }
 
-void World::Ode::AddBody(const Link& link, double start_height) {
+void World::Ode::AddBody(const Link& link, const Placement& placement) {
   const dBodyID body = dBodyCreate(world);
   dMass mass;
   const Matrix3d& inertia = link.inertia;
@@ -165,20 +115,26 @@ void World::Ode::AddBody(const Link& link, double start_height) {
                      inertia(2, 2), inertia(0, 1), inertia(0, 2),
                      inertia(1, 2));
   dBodySetMass(body, &mass);
-  dBodySetPosition(body, link.centre.x(), link.centre.y(),
-                   link.centre.z() + start_height);
+  const Vector3d centre = placement(link.centre);
+  dBodySetPosition(body, centre.x(), centre.y(), centre.z());
+  if (!placement.axes.isIdentity(0)) {
+    dMatrix3 rotation = {};
+    FillMatrix(placement.axes, rotation);
+    dBodySetRotation(body, rotation);
+  }
   bodies.push_back(body);
 }
 
-void World::Ode::AddHinge(const Hinge& hinge, double start_height,
+void World::Ode::AddHinge(const Hinge& hinge, const Placement& placement,
                           const ServoOptions& servo) {
   const dJointID joint = dJointCreateHinge(world, nullptr);
   // The child first: its turn against the parent then counts as positive.
   dJointAttach(joint, bodies[static_cast<std::size_t>(hinge.child)],
                bodies[static_cast<std::size_t>(hinge.parent)]);
-  dJointSetHingeAnchor(joint, hinge.anchor.x(), hinge.anchor.y(),
-                       hinge.anchor.z() + start_height);
-  dJointSetHingeAxis(joint, hinge.axis.x(), hinge.axis.y(), hinge.axis.z());
+  const Vector3d anchor = placement(hinge.anchor);
+  const Vector3d axis = placement.axes * hinge.axis;
+  dJointSetHingeAnchor(joint, anchor.x(), anchor.y(), anchor.z());
+  dJointSetHingeAxis(joint, axis.x(), axis.y(), axis.z());
   dJointSetHingeParam(joint, dParamLoStop, -servo.range);
   dJointSetHingeParam(joint, dParamHiStop, servo.range);
   dJointSetHingeParam(joint, dParamFMax, servo.max_torque);
@@ -195,8 +151,7 @@ void World::Ode::AddGeoms(const Link& link, dBodyID body) {
     const Vector3d offset = box.centre - link.centre;
     dGeomSetOffsetPosition(geom, offset.x(), offset.y(), offset.z());
     dMatrix3 rotation = {};
-    Eigen::Map<Eigen::Matrix<dReal, 3, 4, Eigen::RowMajor>>(rotation)
-        .leftCols<3>() = box.axes;
+    FillMatrix(box.axes, rotation);
     dGeomSetOffsetRotation(geom, rotation);
     geoms.back().push_back(geom);
   }
@@ -207,78 +162,13 @@ LinkPose World::Ode::PoseOf(std::size_t link) const {
           ToMatrix(dBodyGetRotation(bodies[link]))};
 }
 
-void World::Ode::AddContact(const dContactGeom& geometry, const ContactLaw& law,
-                            dBodyID first, dBodyID second) {
-  dContact contact = {};  // ODE reads fields that the mode does not name
-  // Approx1 makes mu a coefficient; without it, it would be a force in N.
-  contact.surface.mode = dContactApprox1 | dContactSlip1 | dContactSlip2 |
-                         dContactSoftERP | dContactSoftCFM;
-  contact.surface.mu = physics.friction;
-  contact.surface.slip1 = physics.slip;
-  contact.surface.slip2 = physics.slip;
-  contact.surface.soft_erp = law.erp;
-  contact.surface.soft_cfm = law.cfm;
-  contact.geom = geometry;
-  dJointAttach(dJointCreateContact(world, group, &contact), first, second);
-  ++contacts;
-}
-
-void World::Ode::CollideGround(std::size_t link) {
-  found.clear();
-  AppendGroundContacts(corners[link], PoseOf(link), ground, found);
-  for (const GroundContact& contact : found)
-    touched[static_cast<std::size_t>(contact.module)] = true;
-  for (const GroundContact& contact : Spanning(found, ground)) {
-    dContactGeom geometry = {};
-    for (int i = 0; i < 3; ++i) {
-      geometry.pos[i] = contact.position[i];
-      geometry.normal[i] = ground[i];
-    }
-    geometry.depth = contact.depth;
-    AddContact(geometry, on_ground, bodies[link], nullptr);
-  }
-}
-
-void World::Ode::CollideLinks(std::size_t a, std::size_t b) {
-  const Vector3d apart = ToVector(dBodyGetPosition(bodies[a])) -
-                         ToVector(dBodyGetPosition(bodies[b]));
-  const double reach = corners[a].radius + corners[b].radius;
-  if (apart.squaredNorm() > reach * reach) return;
-  for (std::size_t i = 0; i < geoms[a].size(); ++i)
-    for (std::size_t j = 0; j < geoms[b].size(); ++j) CollideBoxes(a, b, i, j);
-}
-
-void World::Ode::CollideBoxes(std::size_t a, std::size_t b, std::size_t box_a,
-                              std::size_t box_b) {
-  const Box& first = links[a].boxes[box_a];
-  const Box& second = links[b].boxes[box_b];
-  const dGeomID geom_a = geoms[a][box_a];
-  const dGeomID geom_b = geoms[b][box_b];
-  const double reach = (first.size.norm() + second.size.norm()) / 2;
-  const Vector3d apart =
-      ToVector(dGeomGetPosition(geom_a)) - ToVector(dGeomGetPosition(geom_b));
-  if (apart.squaredNorm() > reach * reach) return;
-  std::array<dContactGeom, kMaxBoxContacts> points = {};
-  const int count = dCollide(geom_a, geom_b, kMaxBoxContacts, points.data(),
-                             sizeof(dContactGeom));
-  for (int i = 0; i < count; ++i)
-    AddContact(points[static_cast<std::size_t>(i)], on_robot, bodies[a],
-               bodies[b]);
-  if (count == 0) return;
-  touched[static_cast<std::size_t>(first.module)] = true;
-  touched[static_cast<std::size_t>(second.module)] = true;
-}
-
 bool World::Ode::TakeStep() {
   contacts = 0;
   touched.assign(touched.size(), false);
   const UseSolverOrder use_order(order);
   warnings_in_use = &warnings;
   try {
-    for (std::size_t i = 0; i < links.size(); ++i) CollideGround(i);
-    for (const LinkPair& pair : pairs)
-      CollideLinks(static_cast<std::size_t>(pair.a),
-                   static_cast<std::size_t>(pair.b));
+    Collide();
     if (is_direct) {
       dWorldStep(world, physics.step);
     } else {
@@ -289,23 +179,57 @@ bool World::Ode::TakeStep() {
   }
   warnings_in_use = nullptr;
   dJointGroupEmpty(group);
-  return !is_lost && IsSane();
+  if (is_lost)
+    return Fail(Outcome::kUnstable, "the solver met numbers beyond its range");
+  return IsSane();
 }
 
-bool World::Ode::IsSane() const {
-  for (const dBodyID body : bodies) {
-    const double speed = ToVector(dBodyGetLinearVel(body)).norm();
-    const double spin = ToVector(dBodyGetAngularVel(body)).norm();
-    // Written so that a NaN, which compares false, is not sane.
-    if (!(speed <= kMaxSpeed && spin <= kMaxSpin)) return false;
-    if (!ToVector(dBodyGetPosition(body)).allFinite()) return false;
+bool World::Ode::Fail(Outcome outcome, std::string reason) {
+  failure = {outcome, std::move(reason)};
+  return false;
+}
+
+bool World::Ode::IsSane() {
+  const double deepest = kDeepest + (field ? field->bound() : 0);
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    const double speed = ToVector(dBodyGetLinearVel(bodies[i])).norm();
+    const double spin = ToVector(dBodyGetAngularVel(bodies[i])).norm();
+    const Vector3d position = ToVector(dBodyGetPosition(bodies[i]));
+    const double height = ground.dot(position);
+    if (!std::isfinite(speed) || !std::isfinite(spin) || !position.allFinite())
+      return Fail(Outcome::kUnstable,
+                  fmt::format("link {} has no finite place or speed", i));
+    if (speed > physics.max_speed)
+      return Fail(Outcome::kUnstable,
+                  fmt::format("link {} moves at {:.1f} m/s, more than "
+                              "max_speed, {} m/s",
+                              i, speed, physics.max_speed));
+    if (spin > physics.max_spin)
+      return Fail(Outcome::kUnstable,
+                  fmt::format("link {} turns at {:.1f} rad/s, more than "
+                              "max_spin, {} rad/s",
+                              i, spin, physics.max_spin));
+    if (height < -(corners[i].radius + deepest))
+      return Fail(
+          Outcome::kFellThrough,
+          fmt::format("link {} is {:.3f} m below the ground", i, -height));
   }
+  if (warnings > most_warnings)
+    return Fail(Outcome::kSolverFailed,
+                fmt::format("the solver failed {} times, more than "
+                            "max_solver_failures, {} of the steps",
+                            warnings, physics.max_solver_failures));
   return true;
 }
 
 World::World(const Assembly& assembly, const Terrain& terrain,
              const SimulationOptions& options)
-    : ode_(std::make_unique<Ode>(assembly, terrain, options)) {}
+    : World(assembly, terrain, options,
+            StartOf(assembly, terrain, options, {})) {}
+
+World::World(const Assembly& assembly, const Terrain& terrain,
+             const SimulationOptions& options, const Placement& placement)
+    : ode_(std::make_unique<Ode>(assembly, terrain, options, placement)) {}
 
 World::~World() {
   if (!ode_->is_lost) return;
@@ -328,6 +252,20 @@ void World::SetMotion(int link, const LinkMotion& motion) {
   dBodySetLinearVel(body, motion.velocity.x(), motion.velocity.y(),
                     motion.velocity.z());
   dBodySetAngularVel(body, motion.spin.x(), motion.spin.y(), motion.spin.z());
+}
+
+void World::SetState(int link, const LinkPose& pose, const LinkMotion& motion) {
+  const dBodyID body = ode_->bodies[static_cast<std::size_t>(link)];
+  dMatrix3 rotation = {};
+  FillMatrix(pose.axes, rotation);
+  dBodySetPosition(body, pose.position.x(), pose.position.y(),
+                   pose.position.z());
+  dBodySetRotation(body, rotation);
+  SetMotion(link, motion);
+}
+
+const World::Failure& World::failure() const {
+  return ode_->failure;
 }
 
 bool World::Step() {

@@ -8,21 +8,17 @@
 #include <Eigen/Core>
 #include <cstdint>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "sim/assembly.h"
 #include "sim/ground.h"
 #include "sim/options.h"
+#include "sim/outcome.h"
+#include "sim/placement.h"
 #include "sim/terrain.h"
 
 namespace plsc {
-
-// A link beyond these is a solver gone wrong, not a robot. 50 m/s is more than
-// 50 s of sliding down 5 degrees without friction (42 m/s); joints turn at
-// 1 rad/s and falls are from decimetres. 500 rad/s moves a point 0.1 m away
-// as fast.
-inline constexpr double kMaxSpeed = 50;  ///< m/s
-inline constexpr double kMaxSpin = 500;  ///< rad/s
 
 struct LinkMotion {
   Eigen::Vector3d velocity;  ///< m/s, of the centre of mass
@@ -31,9 +27,12 @@ struct LinkMotion {
 
 class World {
  public:
-  /// The core's centre at (0, 0, start_height), unrotated, all at rest.
+  /// At the origin as SimulationOptions say, all at rest.
   World(const Assembly& assembly, const Terrain& terrain,
         const SimulationOptions& options);
+  /// Elsewhere, all at rest.
+  World(const Assembly& assembly, const Terrain& terrain,
+        const SimulationOptions& options, const Placement& placement);
   ~World();
   World(const World&) = delete;
   World& operator=(const World&) = delete;
@@ -43,9 +42,18 @@ class World {
   /// Sets a link in motion; joined links do not follow before the next step.
   void SetMotion(int link, const LinkMotion& motion);
 
-  /// One PhysicsOptions::step. False if the state is lost: not finite, or
-  /// beyond kMaxSpeed or kMaxSpin. A lost world must not be stepped again.
+  /// Puts a link anywhere. Joined links must be put to where they fit.
+  void SetState(int link, const LinkPose& pose, const LinkMotion& motion);
+
+  /// One PhysicsOptions::step. False if the world went wrong: failure() tells
+  /// how. It must not be stepped again then.
   [[nodiscard]] bool Step();
+
+  struct Failure {
+    Outcome outcome = Outcome::kCompleted;
+    std::string reason;  ///< in words, of the latest step
+  };
+  const Failure& failure() const;
 
   int joints() const;
   double JointAngle(int joint) const;  ///< rad

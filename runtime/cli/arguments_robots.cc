@@ -160,13 +160,16 @@ CLI::App* AddSimulate(CLI::App& app, SimulateCommand& command) {
                 "also list every descriptor, a column a season (json always "
                 "has them)");
   sub->add_option("--trajectory", command.trajectory_folder,
-                  "also write each season's samples as FOLDER/SEASON.csv")
+                  "also write each season's samples as FOLDER/SEASON.csv, and "
+                  "FOLDER/scenario.yaml with every constant")
       ->option_text("FOLDER");
   sub->footer(
-      "In every season the robot develops for what it senses there, starts "
-      "afresh at the\norigin and is measured: Speed in cm/s uphill (the "
-      "robot's front), Balance 0 to 1,\nfitness in m/s as the paper defines "
-      "it.\n\n"
+      "In every season the robot senses, develops for what it senses, lives "
+      "and is\nmeasured: Speed in cm/s uphill (the robot's front), Balance 0 "
+      "to "
+      "1, fitness in m/s\nas the paper defines it. The line below each season "
+      "tells when and why the robot\nchanged. Seasons start afresh at the "
+      "origin, or are one life (lives: continuous).\n\n"
       "  plsc simulate examples/gecko.pls\n"
       "  plsc simulate robot.pls --scenario hot.yaml --format json");
   return sub;

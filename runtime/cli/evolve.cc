@@ -67,7 +67,7 @@ void PrintSeason(const SeasonResult& result, std::ostream& out) {
   constexpr double kCentimetres = 100;
   out << fmt::format("season {}: ", result.season);
   if (!result.behaviour.is_valid) {
-    out << OutcomeName(result.outcome) << '\n';
+    out << OutcomeName(result.outcome) << ": " << result.reason << '\n';
     return;
   }
   out << fmt::format("speed {:.3f} cm/s, balance {:.4f}, {} modules\n",
@@ -81,9 +81,15 @@ void PrintBest(const Individual& best, const Scenario& scenario,
                      best.genotype.name, best.generation, Print(best.genotype));
   for (std::size_t i = 0; i < scenario.seasons.size(); ++i) {
     PrintSeason(best.evaluation.seasons[i], out);
-    const auto sensed = Sense(scenario.seasons[i], best.genotype.states);
-    const auto phenotype = Develop(best.genotype, *sensed);
-    if (phenotype) out << BodyText(phenotype->body);
+    const SeasonResult& season = best.evaluation.seasons[i];
+    std::map<std::string, std::string> felt;
+    for (const SensedState& state : season.sensed)
+      felt[state.name] = state.value;
+    // Nothing was sensed where a life did not reach, or a worker died.
+    const auto sensed = Sense(scenario.seasons[i], best.genotype.states, felt);
+    if (const auto phenotype =
+            sensed ? Develop(best.genotype, *sensed) : std::nullopt)
+      out << BodyText(phenotype->body);
     out << '\n';
   }
 }

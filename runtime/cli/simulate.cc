@@ -14,17 +14,14 @@ namespace plsc::cli {
 
 namespace {
 
-// Every season must say what the genotype senses, before any is simulated.
+// Every season must say what the genotype senses and cannot feel, before any
+// is simulated.
 bool CanSense(const Scenario& scenario, const Genotype& genotype, Io& io) {
-  bool can = true;
-  for (const Season& season : scenario.seasons) {
-    const Result<Environment> sensed = Sense(season, genotype.states);
-    if (sensed) continue;
-    can = false;
-    for (const Diagnostic& problem : sensed.diagnostics())
-      io.err << fmt::format("error: {}\n", problem.message);
-  }
-  return can;
+  const std::vector<Diagnostic> problems =
+      CheckSenses(scenario, genotype.states);
+  for (const Diagnostic& problem : problems)
+    io.err << fmt::format("error: {}\n", problem.message);
+  return problems.empty();
 }
 
 void PrintHeader(std::ostream& out) {
@@ -51,6 +48,26 @@ void PrintRow(const SeasonResult& result, std::ostream& out) {
                      result.season, result.body.absolute_size,
                      result.body.hinge_count, result.body.touch_sensor_count,
                      speed, balance, fitness, OutcomeName(result.outcome));
+  if (!result.reason.empty())
+    out << fmt::format("  {}: {}\n", OutcomeName(result.outcome),
+                       result.reason);
+}
+
+// When and why the robot is what it is.
+void PrintChange(const SeasonResult& result, const Scenario& scenario,
+                 std::ostream& out) {
+  if (result.outcome == Outcome::kNotReached ||
+      result.outcome == Outcome::kUndeveloped)
+    return;
+  const std::string when = scenario.lives == Lives::kContinuous
+                               ? fmt::format(" at {} s", result.begin)
+                               : "";
+  const char* what = result.change == Change::kBorn   ? "born"
+                     : result.change == Change::kNone ? "the same robot"
+                     : result.change == Change::kBrain
+                         ? "the same body, another brain"
+                         : "another body";
+  out << fmt::format("  {}{}: {}\n", what, when, result.change_reason);
 }
 
 std::vector<NamedValue> DescriptorsOf(const SeasonResult& result) {
@@ -78,13 +95,12 @@ void PrintDescriptors(const std::vector<SeasonResult>& results,
   }
 }
 
-bool WriteTrajectory(const std::string& folder, const std::string& season,
-                     const Trajectory& trajectory, Io& io) {
+bool WriteInto(const std::string& folder, const std::string& name,
+               const std::string& text, Io& io) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
-  const std::string path =
-      (std::filesystem::path(folder) / (season + ".csv")).string();
-  const auto failure = WriteFile(path, TrajectoryCsv(trajectory));
+  const std::string path = (std::filesystem::path(folder) / name).string();
+  const auto failure = WriteFile(path, text);
   if (failure)
     io.err << fmt::format("error: cannot write '{}': {}\n", path, *failure);
   else
@@ -107,20 +123,29 @@ Exit Run(const SimulateCommand& command, Io& io) {
   if (!scenario || !CanSense(*scenario, genotype, io)) return Exit::kBadInput;
 
   if (command.format == OutputFormat::kText) {
-    io.out << genotype.name << " in scenario " << scenario->name << '\n';
+    io.out << fmt::format(
+        "{} in scenario {} (profile {})\n", genotype.name,
+        scenario->name.empty() ? "of no name" : scenario->name,
+        ProfileName(scenario->profile));
     PrintHeader(io.out);
   }
+  // Samples mean nothing without the constants that they were made with.
+  const std::string& folder = command.trajectory_folder;
+  if (!folder.empty() &&
+      !WriteInto(folder, "scenario.yaml", PrintScenario(*scenario), io))
+    return Exit::kBadInput;
   std::vector<SeasonResult> results;
-  for (const Season& season : scenario->seasons) {
-    const SeasonLife life = LiveSeason(genotype, *scenario, season);
-    if (command.format == OutputFormat::kText)
+  for (Life lives(genotype, *scenario); !lives.is_over();) {
+    const SeasonLife life = lives.Next();
+    if (command.format == OutputFormat::kText) {
       PrintRow(life.result, io.out);
-    else
+      PrintChange(life.result, *scenario, io.out);
+    } else {
       io.out << SeasonJson(genotype.name, life.result) << '\n';
+    }
     io.out.flush();  // a season takes a while; show each when it is done
-    if (!command.trajectory_folder.empty() &&
-        !WriteTrajectory(command.trajectory_folder, season.name,
-                         life.trajectory, io))
+    if (!folder.empty() && !WriteInto(folder, life.result.season + ".csv",
+                                      TrajectoryCsv(life.trajectory), io))
       return Exit::kBadInput;
     results.push_back(life.result);
   }

@@ -270,16 +270,8 @@ std::string PrintExperiment(const Experiment& experiment) {
 }
 
 std::vector<Diagnostic> CheckSenses(const Experiment& experiment) {
-  std::vector<Diagnostic> errors;
-  if (experiment.genotype.encoding == Encoding::kBaseline) return errors;
-  for (const Season& season : experiment.scenario.seasons) {
-    const Result<Environment> sensed =
-        Sense(season, experiment.genotype.states);
-    if (!sensed)
-      errors.insert(errors.end(), sensed.diagnostics().begin(),
-                    sensed.diagnostics().end());
-  }
-  return errors;
+  if (experiment.genotype.encoding == Encoding::kBaseline) return {};
+  return CheckSenses(experiment.scenario, experiment.genotype.states);
 }
 
 }  // namespace plsc

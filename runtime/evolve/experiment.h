@@ -9,7 +9,7 @@
 
 #include "grammar/result.h"
 #include "runtime/evolve/initialise.h"
-#include "runtime/scenario.h"
+#include "runtime/scenario_profile.h"
 
 namespace plsc {
 

@@ -31,6 +31,7 @@ Evaluation EvaluationOf(const Reply& reply,
     SeasonResult result;
     result.season = season.name;
     result.outcome = Outcome::kWorkerDied;
+    result.reason = "the process that simulated it died, twice";
     evaluation.seasons.push_back(std::move(result));
   }
   return evaluation;

@@ -15,6 +15,14 @@ Json BehaviourJson(const Behaviour& behaviour) {
   return DescriptorsJson(List(behaviour));
 }
 
+Json SensedJson(const std::vector<SensedState>& sensed) {
+  Json json = Json::object();
+  for (const SensedState& state : sensed)
+    json[state.name] = {{"value", state.value},
+                        {"from", state.is_felt ? "imu" : "season"}};
+  return json;
+}
+
 }  // namespace
 
 std::string SeasonJson(const std::string& genotype,
@@ -22,11 +30,21 @@ std::string SeasonJson(const std::string& genotype,
   Json json;
   json["genotype"] = genotype;
   json["season"] = result.season;
+  json["profile"] = ProfileName(result.profile);
+  json["begin"] = result.begin;
+  json["sensed"] = SensedJson(result.sensed);
+  json["inclination"] =
+      result.inclination ? Json(*result.inclination) : Json(nullptr);
+  json["change"] = ChangeName(result.change);
+  json["change_reason"] = result.change_reason;
   json["outcome"] = OutcomeName(result.outcome);
+  json["reason"] = result.reason;
   json["fitness"] = result.fitness ? Json(*result.fitness) : Json(nullptr);
   json["behaviour"] = BehaviourJson(result.behaviour);
   json["body_descriptors"] = DescriptorsJson(List(result.body));
   json["brain_descriptors"] = DescriptorsJson(List(result.brain));
+  json["steps"] = result.steps;
+  json["solver_warnings"] = result.solver_warnings;
   json["state_hash"] = fmt::format("{:016x}", result.state_hash);
   return json.dump();
 }

@@ -1,7 +1,6 @@
 #include "runtime/scenario.h"
 
 #include <catch2/catch.hpp>
-#include <numbers>
 #include <string>
 #include <vector>
 
@@ -14,23 +13,6 @@ const State kTemperature = {"temperature", StateType::kReal, -40, 60, {}};
 const State kGround = {"ground", StateType::kEnum, 0, 0, {"dry", "wet"}};
 
 }  // namespace
-
-TEST_CASE("The paper's scenario is Flat, then Tilted by 5 degrees",
-          "[scenario]") {
-  const Scenario paper = PaperScenario();
-  REQUIRE(paper.seasons.size() == 2);
-  const Season& flat = paper.seasons[0];
-  CHECK(flat.terrain.type == TerrainType::kFlat);
-  CHECK(flat.duration == 50);
-  CHECK(flat.start_height == 0.03);
-  CHECK(flat.senses.at("inclined") == "False");
-  const Season& tilted = paper.seasons[1];
-  CHECK(tilted.terrain.type == TerrainType::kTilted);
-  CHECK(tilted.terrain.tilt == Approx(0.0872664626));
-  CHECK(tilted.duration == 50);
-  CHECK(tilted.start_height == 0.1);
-  CHECK(tilted.senses.at("inclined") == "True");
-}
 
 TEST_CASE("A robot senses its states in the season", "[scenario]") {
   Season season;
@@ -64,6 +46,39 @@ TEST_CASE("Every state that the season does not answer is an error",
         "nothing");
   CHECK(sensed.diagnostics()[2].help ==
         "add 'ground' to the senses of the season");
+}
+
+TEST_CASE("What a robot feels counts where the season says nothing",
+          "[scenario]") {
+  Season season;
+  season.name = "slope";
+  const auto felt = Sense(season, {kInclined}, {{"inclined", "True"}});
+  REQUIRE(felt);
+  CHECK(felt->values == std::vector<double>{1});
+  season.senses = {{"inclined", "False"}};
+  CHECK(Sense(season, {kInclined}, {{"inclined", "True"}})->values ==
+        std::vector<double>{0});
+}
+
+TEST_CASE("Only a bool called inclined can be felt, and only by an IMU",
+          "[scenario]") {
+  Scenario scenario;
+  Season season;
+  season.name = "summer";
+  scenario.seasons = {season};
+  const State hot = {"hot", StateType::kBool, 0, 0, {}};
+  const State slope = {"inclined", StateType::kReal, 0, 90, {}};
+  CHECK(CheckSenses(scenario, {kInclined}).empty());
+  CHECK(CheckSenses(scenario, {slope}).size() == 1);
+  const auto errors = CheckSenses(scenario, {kInclined, hot});
+  REQUIRE(errors.size() == 1);
+  CHECK(errors[0].message ==
+        "season 'summer': expected True or False for state 'hot', found "
+        "nothing");
+  scenario.sensing = Sensing::kGiven;
+  CHECK(CheckSenses(scenario, {kInclined}).size() == 1);
+  scenario.seasons[0].senses = {{"inclined", "True"}};
+  CHECK(CheckSenses(scenario, {kInclined}).empty());
 }
 
 TEST_CASE("The format's version is checked", "[scenario]") {

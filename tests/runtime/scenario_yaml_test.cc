@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "runtime/scenario_profile.h"
+
 namespace plsc {
 
 namespace {
@@ -19,27 +21,42 @@ std::string Errors(const std::string& text) {
 Scenario Unusual() {
   Scenario scenario = PaperScenario();
   scenario.name = "two words: and a colon";
+  scenario.profile = Profile::kPublished;
+  scenario.lives = Lives::kContinuous;
   scenario.sample_interval = 0.1;
-  scenario.controller = ControllerMode::kCoupled;
+  scenario.start_clearance = 0.002;
+  scenario.controller = ControllerMode::kOpenLoop;
+  scenario.measured = MeasuredPoint::kCore;
+  scenario.sensing = Sensing::kGiven;
+  scenario.imu = {0.1, 2};
+  scenario.max_steps = 20000;
+  scenario.max_links = 30;
   scenario.seasons[1].terrain.tilt = 0.123456789;
   scenario.seasons[1].senses = {{"temperature", "-30.5"}, {"ground", "wet"}};
+  scenario.seasons[1].start_height = 0.2;
   scenario.seasons[0].duration = 1.0 / 3;
-  PhysicsOptions& physics = scenario.physics;
+  PhysicsOptions& physics = scenario.seasons[0].physics;
   physics = {0.003,   Solver::kIterative,
              17,      8,
              9.81,    0.2,
              2e-5,    0.9,
              0.02,    8e4,
              1e6 / 7, 3e6,
-             8e4,     2e-4};
-  scenario.servo = {0.5, 1.1, 2.5, 0.2, 10};
+             8e4,     2e-4,
+             50,      1e-6,
+             30,      300,
+             0.2};
+  scenario.seasons[1].physics = physics;
+  scenario.seasons[1].physics.friction = 0.4;
+  scenario.servo = {0.5, 1.1, 2.5, 0.2, 10, Refresh::kLate};
   return scenario;
 }
 
 }  // namespace
 
 TEST_CASE("A printed scenario reads back equal", "[scenario]") {
-  for (const Scenario& scenario : {PaperScenario(), Unusual()}) {
+  for (const Scenario& scenario :
+       {PaperScenario(), PublishedScenario(), Unusual()}) {
     const std::string text = PrintScenario(scenario);
     INFO(text);
     INFO(Errors(text));
@@ -51,14 +68,55 @@ TEST_CASE("A printed scenario reads back equal", "[scenario]") {
 }
 
 TEST_CASE("What is left out has the paper's value", "[scenario]") {
+  const auto read = ParseScenario(Source("s",
+                                         "name: paper\nseasons:\n"
+                                         "  - senses: {hot: False}\n"
+                                         "  - terrain: {tilted: 5 deg}\n"
+                                         "    senses: {hot: False}\n"));
+  REQUIRE(read);
+  CHECK(*read == PaperScenario());
+}
+
+TEST_CASE("A profile gives what is left out", "[scenario]") {
   const auto read =
       ParseScenario(Source("s",
-                           "name: paper\nseasons:\n"
+                           "name: published\nprofile: published\nseasons:\n"
                            "  - senses: {inclined: False, hot: False}\n"
                            "  - terrain: {tilted: 5 deg}\n"
                            "    senses: {inclined: True, hot: False}\n"));
   REQUIRE(read);
-  CHECK(*read == PaperScenario());
+  CHECK(*read == PublishedScenario());
+}
+
+TEST_CASE("Keys go before the profile, those of a season before all",
+          "[scenario]") {
+  const auto read = ParseScenario(
+      Source("s",
+             "profile: published\ncontroller: coupled\nseasons:\n"
+             "  - {name: a, terrain: {tilted: 5 deg}}\n"
+             "  - {name: b, terrain: {tilted: 5 deg}, start_height: resting,\n"
+             "     physics: {step: 1 ms, friction: 0.5}}\n"
+             "physics: {step: 5 ms}\n"));
+  REQUIRE(read);
+  CHECK(read->controller == ControllerMode::kCoupled);
+  CHECK(read->measured == MeasuredPoint::kCore);
+  // The very default of the other profile, but it was asked for.
+  CHECK(read->seasons[0].physics.step == 0.005);
+  CHECK(read->seasons[0].physics.solver == Solver::kIterative);
+  CHECK(read->seasons[0].start_height == 0.1);
+  CHECK(read->seasons[1].physics.step == 0.001);
+  CHECK(read->seasons[1].physics.friction == 0.5);
+  CHECK_FALSE(read->seasons[1].start_height);
+}
+
+TEST_CASE("Seasons that take too many steps are told before they start",
+          "[scenario]") {
+  CHECK(Errors("seasons: [{duration: 600 min}]\n")
+            .find("season 'flat' of 36000 s takes 7200000 steps, more than "
+                  "max_steps, 1000000") != std::string::npos);
+  CHECK(Errors("seasons: [{duration: 600 min}]\nmax_steps: 7200000\n").empty());
+  CHECK(Errors("seasons: [{duration: 0 s}]\n").find("more than 0 s") !=
+        std::string::npos);
 }
 
 TEST_CASE("Units are understood", "[scenario]") {
@@ -72,7 +130,7 @@ TEST_CASE("Units are understood", "[scenario]") {
   CHECK(read->seasons[0].start_height == 0.03);
   CHECK(read->seasons[0].terrain.tilt == 0.25);
   CHECK(read->sample_interval == 0.2);
-  CHECK(read->physics.step == 0.005);
+  CHECK(read->seasons[0].physics.step == 0.005);
   CHECK(read->servo.range == std::numbers::pi / 4);
 }
 
@@ -99,7 +157,8 @@ TEST_CASE("Mistakes in a scenario are shown where they are", "[scenario]") {
        {"expected the tilt of the ground", "write 'terrain: {tilted: 5 deg}'"}},
       {"an unknown terrain",
        "seasons: [{terrain: flaat}]\n",
-       {"expected flat or tilted, found 'flaat'", "did you mean 'flat'?"}},
+       {"expected flat or tilted or rough or steps or obstacles",
+        "did you mean 'flat'?"}},
       {"an unknown key of a terrain",
        "seasons: [{terrain: {tiltet: 5 deg}}]\n",
        {"unknown key 'tiltet'", "did you mean 'tilted'?"}},
@@ -127,7 +186,7 @@ TEST_CASE("Mistakes in a scenario are shown where they are", "[scenario]") {
       {"samples closer than steps",
        "seasons: [{}]\nsample_interval: 1 ms\n",
        {"error[P5108]: samples every 0.001 s are closer than the steps of "
-        "0.005 s",
+        "season 'flat', 0.005 s",
         "test.yaml:2:18"}},
       {"samples further apart than a season",
        "seasons: [{duration: 0.1 s}]\n",

@@ -76,7 +76,7 @@ TEST_CASE("On a slope only the uphill corners of an upright core touch",
 
 TEST_CASE("Spanning keeps the support of a link", "[ground]") {
   const auto at = [](double x, double y, double depth = 0) {
-    return GroundContact{0, depth, {x, y, -depth}};
+    return GroundContact{0, depth, {x, y, -depth}, Vector3d::UnitZ()};
   };
   struct Row {
     const char* why;

@@ -23,16 +23,27 @@ Trajectory Walk() {
 }
 
 TEST_CASE("Speeds are the core's, seen from above", "[measures]") {
-  const Behaviour behaviour = Measure(Walk(), 2);
+  const Behaviour behaviour = Measure(Walk(), 2, MeasuredPoint::kCore);
   CHECK(behaviour.is_valid);
   CHECK(behaviour.displacement_velocity_hill == Approx(-2.0 / 4));
   CHECK(behaviour.displacement_velocity == Approx(std::sqrt(13.0) / 4));
   CHECK(behaviour.velocity == Approx((5.0 + 6.0) / 4));
 }
 
+TEST_CASE("Speeds may be those of the mass centre", "[measures]") {
+  Trajectory walk = Walk();
+  walk.mass_centre = walk.core_position;
+  walk.mass_centre.col(1) << 1, 1, 0.5;
+  walk.mass_centre.col(2) << 1, 3, 0;
+  const Behaviour behaviour = Measure(walk, 2, MeasuredPoint::kMassCentre);
+  CHECK(behaviour.displacement_velocity_hill == Approx(2.0 / 4));
+  CHECK(behaviour.displacement_velocity == Approx(2.0 / 4));
+  CHECK(behaviour.velocity == Approx(2.0 / 4));
+}
+
 TEST_CASE("Contacts are a mean over samples and modules", "[measures]") {
-  CHECK(Measure(Walk(), 1).contacts == Approx(4));
-  CHECK(Measure(Walk(), 5).contacts == Approx(0.8));
+  CHECK(Measure(Walk(), 1, MeasuredPoint::kCore).contacts == Approx(4));
+  CHECK(Measure(Walk(), 5, MeasuredPoint::kCore).contacts == Approx(0.8));
 }
 
 TEST_CASE("Balance falls with roll and pitch, whatever the yaw", "[measures]") {
@@ -54,7 +65,8 @@ TEST_CASE("Balance falls with roll and pitch, whatever the yaw", "[measures]") {
     INFO(row.why);
     Trajectory walk = Walk();
     walk.core_orientation = (row.degrees * kDegree).replicate(1, 3);
-    CHECK(Measure(walk, 1).head_balance == Approx(row.balance));
+    CHECK(Measure(walk, 1, MeasuredPoint::kCore).head_balance ==
+          Approx(row.balance));
   }
 }
 
@@ -63,12 +75,12 @@ TEST_CASE("A life that was not completed has no behaviour", "[measures]") {
        {Outcome::kOverlapping, Outcome::kUndeveloped, Outcome::kUnstable}) {
     Trajectory walk = Walk();
     walk.outcome = outcome;
-    const Behaviour behaviour = Measure(walk, 1);
+    const Behaviour behaviour = Measure(walk, 1, MeasuredPoint::kCore);
     CHECK_FALSE(behaviour.is_valid);
     CHECK(behaviour.velocity == 0);
     CHECK(behaviour.head_balance == 0);
   }
-  CHECK_FALSE(Measure(Trajectory{}, 1).is_valid);
+  CHECK_FALSE(Measure(Trajectory{}, 1, MeasuredPoint::kCore).is_valid);
 }
 
 TEST_CASE("A life without length has no speed", "[measures]") {
@@ -77,7 +89,7 @@ TEST_CASE("A life without length has no speed", "[measures]") {
   instant.core_position.conservativeResize(3, 1);
   instant.core_orientation.conservativeResize(3, 1);
   instant.contacts.conservativeResize(1);
-  const Behaviour behaviour = Measure(instant, 1);
+  const Behaviour behaviour = Measure(instant, 1, MeasuredPoint::kCore);
   CHECK(behaviour.is_valid);
   CHECK(behaviour.displacement_velocity_hill == 0);
   CHECK(behaviour.velocity == 0);

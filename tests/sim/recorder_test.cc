@@ -46,8 +46,8 @@ TEST_CASE("A trajectory holds what was sampled, not what was announced",
   recorder.Sample(world, 0);
   REQUIRE(world.Step());
   recorder.Sample(world, 0.005);
-  const Trajectory life = recorder.Finish(world, Outcome::kUnstable, 1);
-  CHECK(life.outcome == Outcome::kUnstable);
+  const Trajectory life = recorder.Finish(world, 1);
+  CHECK(life.outcome == Outcome::kCompleted);
   CHECK(life.steps == 1);
   CHECK(life.time.size() == 2);
   CHECK(life.time(1) == 0.005);

@@ -1,6 +1,8 @@
 #include "sim/schedule.h"
 
 #include <catch2/catch.hpp>
+#include <utility>
+#include <vector>
 
 namespace plsc {
 namespace {
@@ -41,6 +43,48 @@ TEST_CASE("Nothing drifts over a long life", "[schedule]") {
   // 8 Hz against 5 ms: each 25 steps, for ever.
   for (int update = 0; update < 8000; ++update)
     REQUIRE(NearestStep(update / 8.0, 0.005) == 25 * update);
+}
+
+/// Steps before which updates are due, with their times.
+std::vector<std::pair<std::int64_t, double>> Updates(Refresh refresh,
+                                                     double rate, double step,
+                                                     std::int64_t steps) {
+  ServoOptions servo;
+  servo.refresh = refresh;
+  servo.update_rate = rate;
+  RefreshSchedule schedule(servo, step);
+  std::vector<std::pair<std::int64_t, double>> updates;
+  for (std::int64_t i = 0; i < steps; ++i)
+    if (const auto due = schedule.Due(i)) updates.emplace_back(i, *due);
+  return updates;
+}
+
+TEST_CASE("Exact updates are nearest to their times, from birth on",
+          "[schedule]") {
+  using Pairs = std::vector<std::pair<std::int64_t, double>>;
+  CHECK(Updates(Refresh::kExact, 8, 0.005, 60) ==
+        Pairs{{0, 0}, {25, 0.125}, {50, 0.25}});
+  CHECK(Updates(Refresh::kExact, 8, 0.003, 100) ==
+        Pairs{{0, 0}, {42, 0.125}, {83, 0.25}});
+  // Quicker than the steps: one a step, at the first time that is due.
+  CHECK(Updates(Refresh::kExact, 400, 0.005, 3).size() == 3);
+}
+
+TEST_CASE("Late updates are strictly later than their period", "[schedule]") {
+  // As the authors' program: 0.130 s at 5 ms and 0.126 s at 3 ms.
+  struct Row {
+    double step, period;
+  };
+  for (const Row& row : {Row{0.005, 0.130}, Row{0.003, 0.126}}) {
+    const auto updates = Updates(Refresh::kLate, 8, row.step, 1000);
+    REQUIRE(updates.size() > 20);
+    for (std::size_t i = 0; i < updates.size(); ++i) {
+      const double time = row.period * static_cast<double>(i + 1);
+      CHECK(updates[i].second == Approx(time).epsilon(1e-12));
+      CHECK(static_cast<double>(updates[i].first) * row.step ==
+            Approx(time).epsilon(1e-12));
+    }
+  }
 }
 
 }  // namespace

@@ -97,14 +97,6 @@ TEST_CASE("Robots without joints fall and rest", "[simulate]") {
   CHECK(life.contacts(last) == 4);
 }
 
-TEST_CASE("A life of no length is one sample", "[simulate]") {
-  const Trajectory life = Simulate({Cross(), {}}, {}, Life(0));
-  CHECK(life.outcome == Outcome::kCompleted);
-  CHECK(life.steps == 0);
-  CHECK(life.time.size() == 1);
-  CHECK(life.core_position(2, 0) == 0.03);
-}
-
 TEST_CASE("A robot that overlaps is not simulated", "[simulate]") {
   // Four bricks in a ring, entered by two joints that do not share a link.
   Body body = LoneCore();
@@ -118,6 +110,7 @@ TEST_CASE("A robot that overlaps is not simulated", "[simulate]") {
   Mount(body, brick, Slot::kFront, ModuleType::kBrick);
   const Trajectory life = Simulate({body, {}}, {}, Life(1));
   CHECK(life.outcome == Outcome::kOverlapping);
+  CHECK(life.reason.find("intersect in the rest pose") != std::string::npos);
   CHECK(life.steps == 0);
   CHECK(life.time.size() == 0);
   CHECK(life.core_position.cols() == 0);
@@ -130,6 +123,7 @@ TEST_CASE("A life that goes wrong keeps what came before", "[simulate]") {
   options.physics.damping = 0;
   const Trajectory life = Simulate({Cross(), {}}, {}, options);
   CHECK(life.outcome == Outcome::kUnstable);
+  CHECK(life.reason.find("more than max_speed, 50 m/s") != std::string::npos);
   CHECK(life.time.size() == 20);  // 0 to 3.8 s
   CHECK(life.core_position.cols() == 20);
   CHECK(life.steps == Approx(3.97 / 0.005).margin(2));

@@ -36,7 +36,9 @@ TEST_CASE("an experiment finds its scenario beside itself", "[load_yaml]") {
 
 TEST_CASE("what is wrong around an experiment is said", "[load_yaml]") {
   const test::TemporaryFolder folder;
-  folder.Write("s.yaml", "plsc_scenario: 1\nseasons:\n  - {name: one}\n");
+  folder.Write("s.yaml",
+               "plsc_scenario: 1\nsensing: given\nseasons:\n"
+               "  - {name: one}\n");
   const auto no_scenario =
       Load(folder.Write("a.yaml", "plsc_experiment: 1\nscenario: none.yaml\n"));
   CHECK_FALSE(no_scenario.experiment);

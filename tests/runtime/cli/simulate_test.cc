@@ -54,15 +54,19 @@ TEST_CASE("simulate lives each season with the body of its environment",
     CHECK(table.exit == 0);
     for (const char* name : {"head_balance", "absolute_size", "recurrence"})
       CHECK(table.out.find(name) != std::string::npos);
-    // Header and two seasons as below; a blank, a header, 5 + 20 + 11.
-    CHECK(std::count(table.out.begin(), table.out.end(), '\n') == 4 + 2 + 36);
+    // Header and two seasons of two lines as below; a blank, a header, 5 + 20
+    // + 11.
+    CHECK(std::count(table.out.begin(), table.out.end(), '\n') == 6 + 2 + 36);
   }
   SECTION("a table for people") {
     const auto table =
         RunPlsc({"simulate", "-", "--scenario", scenario}, test::kPlasticText);
     CHECK(table.exit == 0);
     CHECK(table.out.find("speed cm/s") != std::string::npos);
-    CHECK(std::count(table.out.begin(), table.out.end(), '\n') == 4);
+    CHECK(std::count(table.out.begin(), table.out.end(), '\n') == 6);
+    CHECK(table.out.find("\n  born: inclined=False\n") != std::string::npos);
+    CHECK(table.out.find("\n  another body: inclined False -> True\n") !=
+          std::string::npos);
   }
 }
 
@@ -77,14 +81,39 @@ TEST_CASE("simulate writes the samples of each season", "[simulate]") {
       test::ReadFile(folder.path() / "samples" / "hill.csv");
   CHECK(csv.find("time,x,y,z") == 0);
   CHECK(csv.find("joint1") != std::string::npos);
+  CHECK(test::ReadFile(folder.path() / "samples" / "scenario.yaml")
+            .find("profile: paper\n") != std::string::npos);
   CHECK(std::count(csv.begin(), csv.end(), '\n') == 6);  // 0, 0.5 ... 2 s
+}
+
+TEST_CASE("simulate tells when and why a robot changed, or its life ended",
+          "[simulate]") {
+  const test::TemporaryFolder folder;
+  const std::string yaml =
+      "lives: continuous\nseasons:\n"
+      "  - {name: flat, duration: 1 s}\n"
+      "  - {name: slope, terrain: {tilted: 5 deg}, duration: 1 s}\n"
+      "  - {name: fast, duration: 1 s, physics: {max_speed: 0.0001 m/s}}\n"
+      "  - {name: never, duration: 1 s}\n";
+  const auto ran =
+      RunPlsc({"simulate", "-", "--scenario", folder.Write("s.yaml", yaml)},
+              test::kPlasticText);
+  INFO(ran.out);
+  CHECK(ran.exit == 0);
+  for (const char* part :
+       {"\n  born at 0 s: inclined=False (IMU 0.0 deg)\n",
+        "\n  another body at 1 s: inclined False -> True (IMU ",
+        "\n  unstable: link 0 moves at ", "more than max_speed, 0.0001 m/s\n",
+        "\n  not_reached: the life ended in season 'fast': unstable\n"})
+    CHECK(ran.out.find(part) != std::string::npos);
 }
 
 TEST_CASE("simulate says what a season does not say", "[simulate]") {
   const test::TemporaryFolder folder;
-  const std::string scenario = folder.Write(
-      "s.yaml",
-      "plsc_scenario: 1\nseasons:\n  - {name: one, senses: {hot: True}}\n");
+  const std::string scenario =
+      folder.Write("s.yaml",
+                   "plsc_scenario: 1\nsensing: given\nseasons:\n"
+                   "  - {name: one, senses: {hot: True}}\n");
   const auto ran =
       RunPlsc({"simulate", "-", "--scenario", scenario}, test::kPlasticText);
   CHECK(ran.exit == 1);

@@ -18,6 +18,35 @@ TEST_CASE("a season that was not lived has no behaviour and no fitness",
   CHECK(json["behaviour"].is_null());
 }
 
+TEST_CASE("a season tells what was sensed and what changed", "[season_json]") {
+  SeasonResult result;
+  result.profile = Profile::kPublished;
+  result.begin = 50;
+  result.sensed = {{"inclined", "True", true}, {"hot", "False", false}};
+  result.inclination = 0.0875;
+  result.change = Change::kBody;
+  result.change_reason = "inclined False -> True";
+  result.outcome = Outcome::kUnstable;
+  result.reason = "link 3 turns";
+  result.steps = 77;
+  result.solver_warnings = 2;
+  const auto json = nlohmann::json::parse(SeasonJson("robot", result));
+  CHECK(json["profile"] == "published");
+  CHECK(json["begin"] == 50);
+  CHECK(json["sensed"]["inclined"]["value"] == "True");
+  CHECK(json["sensed"]["inclined"]["from"] == "imu");
+  CHECK(json["sensed"]["hot"]["from"] == "season");
+  CHECK(json["inclination"] == 0.0875);
+  CHECK(json["change"] == "body");
+  CHECK(json["change_reason"] == "inclined False -> True");
+  CHECK(json["outcome"] == "unstable");
+  CHECK(json["reason"] == "link 3 turns");
+  CHECK(json["steps"] == 77);
+  CHECK(json["solver_warnings"] == 2);
+  CHECK(
+      nlohmann::json::parse(SeasonJson("robot", {}))["inclination"].is_null());
+}
+
 TEST_CASE("numbers of a season come back bit for bit", "[season_json]") {
   SeasonResult result;
   result.fitness = 0.1 + 0.2;

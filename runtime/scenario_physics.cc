@@ -1,0 +1,177 @@
+#include "runtime/scenario_physics.h"
+
+#include <fmt/format.h>
+
+#include <numbers>
+#include <utility>
+#include <vector>
+
+namespace plsc {
+
+namespace {
+
+template <typename Options>
+struct NumberKey {
+  const char* name;
+  double Options::*field;
+  Quantity quantity;
+};
+
+struct IntKey {
+  const char* name;
+  int PhysicsOptions::*field;
+  int low, high;
+};
+
+// A field more must get its key here and in docs/experiments.md, or results
+// would depend on what no file says.
+static_assert(sizeof(PhysicsOptions) == 144 && sizeof(ServoOptions) == 48);
+
+// In the order of PhysicsOptions, which explains the fields. Limits are those
+// of plausible worlds, wide enough for any experiment; beyond them a number is
+// a slip of the pen, or ODE fails.
+const std::vector<NumberKey<PhysicsOptions>>& PhysicsKeys() {
+  using enum Dimension;
+  using P = PhysicsOptions;
+  static const std::vector<NumberKey<P>> keys = {
+      {"step", &P::step, {kTime, 0, 0.1, true}},
+      {"gravity", &P::gravity, {kAcceleration, 0, 1000}},
+      {"world_erp", &P::world_erp, {kNumber, 0, 1}},
+      {"world_cfm", &P::world_cfm, {kNumber, 0, 1}},
+      {"friction", &P::friction, {kNumber, 0, 1000}},
+      {"slip", &P::slip, {kSlip, 0, 1000}},
+      {"robot_kp", &P::robot_kp, {kStiffness, 0, 1e12, true}},
+      {"robot_kd", &P::robot_kd, {kViscosity, 0, 1e12}},
+      {"ground_kp", &P::ground_kp, {kStiffness, 0, 1e12, true}},
+      {"ground_kd", &P::ground_kd, {kViscosity, 0, 1e12}},
+      {"damping", &P::damping, {kNumber, 0, 1}},
+      {"correcting_speed", &P::correcting_speed, {kSpeed, 0, 1e6}},
+      {"surface_layer", &P::surface_layer, {kLength, 0, 0.1}},
+      {"max_speed", &P::max_speed, {kSpeed, 0, 1e6, true}},
+      {"max_spin", &P::max_spin, {kAngularSpeed, 0, 1e6, true}},
+      {"max_solver_failures", &P::max_solver_failures, {kNumber, 0, 1e9}},
+  };
+  return keys;
+}
+
+const std::vector<IntKey>& PhysicsIntKeys() {
+  using P = PhysicsOptions;
+  static const std::vector<IntKey> keys = {
+      {"solver_iterations", &P::solver_iterations, 1, 100000},
+      {"max_direct_links", &P::max_direct_links, 0, 100000},
+  };
+  return keys;
+}
+
+const std::vector<NumberKey<ServoOptions>>& ServoKeys() {
+  using enum Dimension;
+  using S = ServoOptions;
+  static const std::vector<NumberKey<S>> keys = {
+      {"range", &S::range, {kAngle, 0, std::numbers::pi, true}},
+      {"gain", &S::gain, {kRate, 0, 1000, true}},
+      {"max_speed", &S::max_speed, {kAngularSpeed, 0, 1000, true}},
+      {"max_torque", &S::max_torque, {kTorque, 0, 1000, true}},
+      {"update_rate", &S::update_rate, {kFrequency, 0, 1e4, true}},
+  };
+  return keys;
+}
+
+const std::vector<std::string>& SolverNames() {
+  static const std::vector<std::string> names = {"direct", "iterative"};
+  return names;
+}
+
+const std::vector<std::string>& RefreshNames() {
+  static const std::vector<std::string> names = {"exact", "late"};
+  return names;
+}
+
+using Printed = std::vector<std::pair<std::string, std::string>>;
+
+Printed PrintedKeys(const PhysicsOptions& physics) {
+  Printed lines;
+  lines.emplace_back("solver",
+                     SolverNames()[static_cast<std::size_t>(physics.solver)]);
+  for (const IntKey& key : PhysicsIntKeys())
+    lines.emplace_back(key.name, std::to_string(physics.*key.field));
+  for (const auto& key : PhysicsKeys())
+    lines.emplace_back(
+        key.name, PrintQuantity(physics.*key.field, key.quantity.dimension));
+  return lines;
+}
+
+}  // namespace
+
+PhysicsPatch ReadPhysics(YamlMap map) {
+  PhysicsPatch patch;
+  PhysicsOptions& physics = patch.values;
+  const auto note = [&](const char* name) {
+    if (map.Find(name)) patch.given.insert(name);
+  };
+  note("solver");
+  physics.solver = static_cast<Solver>(map.Choice(
+      "solver", static_cast<std::size_t>(physics.solver), SolverNames()));
+  for (const IntKey& key : PhysicsIntKeys()) {
+    note(key.name);
+    physics.*key.field =
+        map.Int(key.name, physics.*key.field, key.low, key.high);
+  }
+  for (const auto& key : PhysicsKeys()) {
+    note(key.name);
+    physics.*key.field = map.Number(key.name, physics.*key.field, key.quantity);
+  }
+  map.Close();
+  return patch;
+}
+
+PhysicsOptions Patched(PhysicsOptions base, const PhysicsPatch& patch) {
+  if (patch.given.contains("solver")) base.solver = patch.values.solver;
+  for (const IntKey& key : PhysicsIntKeys())
+    if (patch.given.contains(key.name))
+      base.*key.field = patch.values.*key.field;
+  for (const auto& key : PhysicsKeys())
+    if (patch.given.contains(key.name))
+      base.*key.field = patch.values.*key.field;
+  return base;
+}
+
+std::string PrintPhysics(const PhysicsOptions& physics,
+                         const std::string& blanks) {
+  std::string text;
+  for (const auto& [name, value] : PrintedKeys(physics))
+    text += fmt::format("{}{}: {}\n", blanks, name, value);
+  return text;
+}
+
+std::string PrintPhysicsChanges(const PhysicsOptions& physics,
+                                const PhysicsOptions& usual) {
+  const Printed lines = PrintedKeys(physics), others = PrintedKeys(usual);
+  std::vector<std::string> changes;
+  for (std::size_t i = 0; i < lines.size(); ++i)
+    if (lines[i] != others[i])
+      changes.push_back(fmt::format("{}: {}", lines[i].first, lines[i].second));
+  return fmt::format("{{{}}}", fmt::join(changes, ", "));
+}
+
+ServoOptions ReadServo(YamlMap map, const ServoOptions& otherwise) {
+  ServoOptions servo = otherwise;
+  for (const auto& key : ServoKeys())
+    servo.*key.field = map.Number(key.name, servo.*key.field, key.quantity);
+  servo.refresh = static_cast<Refresh>(map.Choice(
+      "refresh", static_cast<std::size_t>(servo.refresh), RefreshNames()));
+  map.Close();
+  return servo;
+}
+
+std::string PrintServo(const ServoOptions& servo, const std::string& blanks) {
+  std::string text;
+  for (const auto& key : ServoKeys())
+    text +=
+        fmt::format("{}{}: {}\n", blanks, key.name,
+                    PrintQuantity(servo.*key.field, key.quantity.dimension));
+  text += fmt::format("{}refresh: {}\n", blanks,
+                      RefreshNames()[static_cast<std::size_t>(servo.refresh)]);
+  return text;
+}
+
+}  // namespace plsc

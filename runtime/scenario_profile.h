@@ -1,0 +1,25 @@
+#pragma once
+
+// The named sets of values that a scenario starts from. Nothing but values: a
+// scenario that writes all of them out is the same under any profile. Where
+// each number comes from is in docs/simulation.md.
+
+#include "runtime/scenario.h"
+
+namespace plsc {
+
+/// All that seasons share; no seasons.
+Scenario ProfileScenario(Profile profile);
+
+/// A season of that ground, without senses.
+Season ProfileSeason(Profile profile, const Terrain& terrain);
+
+/// The paper's seasons: 50 s Flat, then 50 s Tilted by 5 degrees, `hot` False
+/// in both. `inclined` is sensed.
+Scenario PaperScenario();
+
+/// The same seasons as the authors' program ran them; `inclined` is given, by
+/// the name of the world (plasticoding.py:183).
+Scenario PublishedScenario();
+
+}  // namespace plsc

@@ -1,0 +1,22 @@
+#pragma once
+
+// A season's ground in YAML: `flat`, `{tilted: 5 deg}`, `{rough: {seed: 1,
+// amplitude: 1 cm, wavelength: 20 cm}}`, and so on.
+
+#include <string>
+
+#include "runtime/yaml_reader.h"
+#include "sim/terrain.h"
+
+namespace plsc {
+
+/// What is wrong is reported at its place, and replaced by a default.
+Terrain ReadTerrain(const YamlValue& value);
+
+/// On one line, every parameter written out.
+std::string PrintTerrain(const Terrain& terrain);
+
+/// "flat", "tilted", "rough", "steps", "obstacles".
+std::string TerrainName(TerrainType type);
+
+}  // namespace plsc

@@ -1,0 +1,97 @@
+#pragma once
+
+// The inside of a World, for sim/world.cc and sim/world_contacts.cc alone:
+// ODE's objects and what collisions need. One struct and not a class of its
+// own: World is the interface.
+
+#include <ode/ode.h>
+
+#include <Eigen/Core>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim/contact_law.h"
+#include "sim/height_field.h"
+#include "sim/overlap.h"
+#include "sim/solver_order.h"
+#include "sim/static_boxes.h"
+#include "sim/world.h"
+
+namespace plsc {
+
+inline Eigen::Vector3d ToVector(const dReal* numbers) {
+  return {numbers[0], numbers[1], numbers[2]};
+}
+
+/// ODE's rotations are 3 rows of 4.
+inline Eigen::Matrix3d ToMatrix(const dReal* numbers) {
+  return Eigen::Map<const Eigen::Matrix<dReal, 3, 4, Eigen::RowMajor>>(numbers)
+      .leftCols<3>();
+}
+
+inline void FillMatrix(const Eigen::Matrix3d& from, dMatrix3 to) {
+  Eigen::Map<Eigen::Matrix<dReal, 3, 4, Eigen::RowMajor>>(to).leftCols<3>() =
+      from;
+}
+
+struct World::Ode {
+  dWorldID world = nullptr;
+  dThreadingImplementationID threading = nullptr;
+  dJointGroupID group = nullptr;
+  std::vector<dBodyID> bodies;
+  std::vector<dJointID> hinges;
+  std::vector<std::vector<dGeomID>> geoms;  ///< by link; empty if unused
+  dGeomID obstacle = nullptr;  ///< of any box of the ground, in turn
+
+  std::vector<Link> links;  ///< in the rest pose
+  std::vector<LinkCorners> corners;
+  std::vector<LinkPair> pairs;
+  std::vector<bool> touched;
+  std::vector<GroundContact> found, upright, leaning;  ///< kept for memory
+  std::vector<StaticBox> boxes_near;                   ///< kept for memory
+  Terrain terrain;
+  Eigen::Vector3d ground;  ///< normal
+  std::optional<HeightField> field;
+  bool has_boxes = false;
+  PhysicsOptions physics;
+  ContactLaw on_ground, on_robot;
+  SolverOrder order;
+  int contacts = 0;
+  int warnings = 0;
+  double most_warnings = 0;
+  bool is_direct = true;
+  bool is_lost = false;  ///< interrupted within a step
+  World::Failure failure;
+  Ode* next_kept = nullptr;
+
+  Ode(const Assembly& assembly, const Terrain& terrain,
+      const SimulationOptions& options, const Placement& placement);
+  ~Ode();
+  Ode(const Ode&) = delete;
+  Ode& operator=(const Ode&) = delete;
+
+  void AddBody(const Link& link, const Placement& placement);
+  void AddHinge(const Hinge& hinge, const Placement& placement,
+                const ServoOptions& servo);
+  void AddGeoms(const Link& link, dBodyID body);
+
+  LinkPose PoseOf(std::size_t link) const;
+  void CollideGround(std::size_t link);
+  void CollideRough(std::size_t link);
+  void CollideObstacles(std::size_t link);
+  void CollideObstacle(std::size_t link, std::size_t box,
+                       const StaticBox& other);
+  void Push(std::size_t link, const std::vector<GroundContact>& points);
+  void CollideLinks(std::size_t a, std::size_t b);
+  void CollideBoxes(std::size_t a, std::size_t b, std::size_t box_a,
+                    std::size_t box_b);
+  void AddContact(const dContactGeom& geometry, const ContactLaw& law,
+                  dBodyID first, dBodyID second);
+  void Collide();
+  bool TakeStep();
+  bool Fail(Outcome outcome, std::string reason);
+  bool IsSane();
+};
+
+}  // namespace plsc

@@ -1,0 +1,49 @@
+#include "runtime/scenario_physics.h"
+
+#include <catch2/catch.hpp>
+
+namespace plsc {
+
+namespace {
+
+PhysicsPatch Patch(const std::string& text) {
+  const Source source("s", text);
+  const YamlFile file(source);
+  PhysicsPatch patch = ReadPhysics(*file.Root("physics"));
+  REQUIRE(file.diagnostics().empty());
+  return patch;
+}
+
+}  // namespace
+
+TEST_CASE("A patch changes what it gives, be it the default",
+          "[scenario_physics]") {
+  PhysicsOptions base;
+  base.step = 0.003;
+  base.friction = 0.5;
+  base.max_solver_failures = 0.7;
+  const PhysicsOptions patched =
+      Patched(base, Patch("step: 5 ms\nsolver: iterative\n"));
+  CHECK(patched.step == 0.005);
+  CHECK(patched.solver == Solver::kIterative);
+  CHECK(patched.friction == 0.5);
+  CHECK(patched.max_solver_failures == 0.7);
+}
+
+TEST_CASE("Changes are printed shortly and read back", "[scenario_physics]") {
+  PhysicsOptions moon;
+  moon.gravity = 1.62;
+  moon.friction = 0.3;
+  const std::string text = PrintPhysicsChanges(moon, {});
+  CHECK(text == "{gravity: 1.62 m/s2, friction: 0.3}");
+  CHECK(Patched({}, Patch(text)) == moon);
+}
+
+TEST_CASE("Every constant is printed", "[scenario_physics]") {
+  // 18 numbers and the solver.
+  const std::string text = PrintPhysics({}, "  ");
+  CHECK(std::count(text.begin(), text.end(), '\n') == 19);
+  CHECK(PrintServo({}, "").find("refresh: exact\n") != std::string::npos);
+}
+
+}  // namespace plsc

@@ -1,0 +1,81 @@
+#include "sim/passage.h"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "sim/assembly.h"
+#include "tests/sim/bodies.h"
+#include "tests/sim/terrains.h"
+
+namespace plsc {
+namespace {
+
+using Eigen::Vector3d;
+
+SimulationOptions Second() {
+  SimulationOptions options;
+  options.duration = 1;
+  options.start_height.reset();
+  return options;
+}
+
+TEST_CASE("A ground that tilts carries the robot along", "[passage]") {
+  const Phenotype robot = WithOscillators(Cross(), 1, 2);
+  const Terrain flat, slope = test::Slope(5);
+  const Lived before = Live(robot, flat, Second(), {0, {0.4, 1.2, 0.3}, {}});
+  REQUIRE(before.trajectory.outcome == Outcome::kCompleted);
+  const LifeState after = Carry(before.end, robot, {flat, slope, 1e-4});
+  const Vector3d normal(0, -std::sin(slope.tilt), std::cos(slope.tilt));
+  for (std::size_t i = 0; i < after.poses.size(); ++i) {
+    // As high above the new ground as above the old, and as fast.
+    CHECK(normal.dot(after.poses[i].position) ==
+          Approx(before.end.poses[i].position.z()).margin(1e-12));
+    CHECK(normal.dot(after.motions[i].velocity) ==
+          Approx(before.end.motions[i].velocity.z()).margin(1e-12));
+  }
+  CHECK(after.time == before.end.time);
+  CHECK(after.memory == before.end.memory);
+  const LifeState back = Carry(after, robot, {slope, flat, 1e-4});
+  CHECK(back.core.position.isApprox(before.end.core.position, 1e-12));
+}
+
+TEST_CASE("On ground that is no plane the robot is put down anew",
+          "[passage]") {
+  const Phenotype robot = WithOscillators(Cross(), 1, 2);
+  const Lived before = Live(robot, {}, Second(), {0, {0.4, 1.2, 0.3}, {}});
+  for (const Terrain& to : test::AllTerrains()) {
+    if (to.type == TerrainType::kFlat || to.type == TerrainType::kTilted)
+      continue;
+    const LifeState after = Carry(before.end, robot, {{}, to, 1e-3});
+    const double lift = after.core.position.z() - before.end.core.position.z();
+    CHECK(after.poses[3].position.z() - before.end.poses[3].position.z() ==
+          Approx(lift));
+    // It lands on it within the first steps and not in it.
+    const Lived next = Live(robot, to, Second(), {0, {}, &after});
+    CHECK(next.trajectory.outcome == Outcome::kCompleted);
+    CHECK(next.trajectory.contacts.tail(3).minCoeff() > 0);
+  }
+}
+
+TEST_CASE("A life in two seasons is the life in one", "[passage]") {
+  // Bits apart only by what is not part of the state: rotations are kept as
+  // quaternions, and touch is felt anew.
+  const Phenotype robot = WithOscillators(Cross(), 1, 2);
+  SimulationOptions whole = Second();
+  whole.duration = 2;
+  const Lived straight = Live(robot, {}, whole, {});
+  const Lived first = Live(robot, {}, Second(), {});
+  const LifeState carried = Carry(first.end, robot, {{}, {}, 1e-4});
+  const Lived second = Live(robot, {}, Second(), {0, {}, &carried});
+  CHECK(second.trajectory.time(0) == Approx(1));
+  CHECK(second.end.time == Approx(2));
+  CHECK((second.end.core.position - straight.end.core.position).norm() < 1e-4);
+  const Eigen::Index last = second.trajectory.time.size() - 1;
+  CHECK(second.trajectory.joint_angle(0, last) ==
+        Approx(straight.trajectory.joint_angle(
+                   0, straight.trajectory.time.size() - 1))
+            .margin(1e-3));
+}
+
+}  // namespace
+}  // namespace plsc
