@@ -120,7 +120,8 @@ void RequireSoundRobot(const plsc::Genotype& genotype,
 }
 
 // Whether the derivation is short enough for more than this function does.
-bool Develop(plsc::Genotype genotype, const plsc::Environment& environment) {
+bool RequireSoundIn(plsc::Genotype genotype,
+                    const plsc::Environment& environment) {
   const plsc::ActiveRules active = plsc::Regulate(genotype, environment);
   Require(active.rules.size() <= genotype.rules.size(),
           "rules are active once");
@@ -170,7 +171,7 @@ void RunTests(const plsc::MappedProgram& mapped, const plsc::Source& source) {
     const plsc::InlineTest& test = program.tests[i];
     plsc::Genotype genotype = program.genotype;
     if (test.after) genotype.development.iterations = *test.after;
-    if (!Develop(genotype, test.environment)) continue;
+    if (!RequireSoundIn(genotype, test.environment)) continue;
     if (const auto failure = plsc::RunInlineTest(mapped, i))
       plsc::fuzz::RequireSound({*failure}, source);
   }
@@ -219,9 +220,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
   for (const plsc::MappedProgram& mapped : *programs) {
     const plsc::Genotype& genotype = mapped.program.genotype;
     for (const plsc::NamedEnvironment& named : mapped.program.environments)
-      Develop(genotype, named.environment);
+      RequireSoundIn(genotype, named.environment);
     for (const bool is_high : {false, true})
-      Develop(genotype, Corner(genotype.states, is_high));
+      RequireSoundIn(genotype, Corner(genotype.states, is_high));
     RunTests(mapped, source);
   }
   LintAll(*programs, source);
