@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <charconv>
 #include <sstream>
+#include <unordered_set>
 
 #include "grammar/screen.h"
 #include "grammar/suggest.h"
@@ -275,6 +276,7 @@ std::optional<YamlMap> YamlValue::Map(std::string_view what) const {
     return std::nullopt;
   }
   std::vector<YamlMap::Entry> entries;
+  std::unordered_set<std::string> names;
   const auto wrap = [&](const YAML::Node& node) {
     return YamlValue(document_,
                      std::make_shared<const YamlNode>(YamlNode{node}));
@@ -287,10 +289,7 @@ std::optional<YamlMap> YamlValue::Map(std::string_view what) const {
       continue;
     }
     const std::string name = at.text();
-    const bool is_known =
-        std::any_of(entries.begin(), entries.end(),
-                    [&](const auto& other) { return other.key == name; });
-    if (is_known)
+    if (!names.insert(name).second)
       at.Report("P5102", fmt::format("'{}' is given twice", name),
                 "keep one of them");
     else
@@ -350,9 +349,9 @@ std::size_t YamlMap::Choice(std::string_view key, std::size_t otherwise,
 
 void YamlMap::Close() const {
   const std::vector<std::string_view> known(known_.begin(), known_.end());
+  const std::unordered_set<std::string_view> all(known.begin(), known.end());
   for (const Entry& entry : entries_) {
-    if (std::find(known.begin(), known.end(), entry.key) != known.end())
-      continue;
+    if (all.contains(entry.key)) continue;
     const auto nearest = Suggest(entry.key, known);
     entry.at.Report(
         "P5101", fmt::format("unknown key '{}'", entry.key),

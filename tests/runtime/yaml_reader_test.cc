@@ -166,6 +166,20 @@ TEST_CASE("A byte order mark moves no place", "[yaml]") {
   CHECK(errors.find("test.yaml:2:1\n") != std::string::npos);
 }
 
+// Not timed, but the time must not grow with the square of the keys.
+TEST_CASE("A map of very many keys is read", "[yaml]") {
+  std::string text;
+  for (int i = 0; i < 50000; ++i) text += "k" + std::to_string(i) + ": 1\n";
+  const Source source("test.yaml", text + "k0: 2\n");
+  const YamlFile file(source);
+  auto root = file.Root("a test");
+  REQUIRE(root);
+  CHECK(root->TakeAll().size() == 50000);
+  root->Close();
+  REQUIRE(file.diagnostics().size() == 1);
+  CHECK(file.diagnostics()[0].code == "P5102");
+}
+
 TEST_CASE("Printed texts read back", "[yaml]") {
   for (const std::string text :
        {"plain", "two words", "True", "null", "5", "a: b", "it's", "\"x\"",
