@@ -106,7 +106,8 @@ Diagnostics CompileEach(const Source& source, const CompileOptions& options,
   if (file.genotypes.size() > 1) {
     CheckNames(file, &diagnostics);
     for (const ast::File& section : SplitIntoSections(file)) {
-      if (diagnostics.size() >= kMaxReported) break;
+      // Only errors may keep a genotype from being compiled.
+      if (diagnostics.size() >= kMaxReported && HasErrors(diagnostics)) break;
       compile(section);
     }
   } else {

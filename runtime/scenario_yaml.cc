@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <charconv>
 #include <numbers>
+#include <set>
 
 #include "runtime/scenario_physics.h"
 #include "runtime/scenario_profile.h"
@@ -134,12 +134,10 @@ std::vector<Season> ReadSeasons(YamlMap& map, Profile profile,
   if (!items) return seasons;
   if (items->empty())
     value->Report("P5108", "expected at least one season, found none");
+  std::set<std::string> names;
   for (const YamlValue& item : *items) {
     Season season = ReadSeason(item, profile, shared);
-    const bool is_known = std::any_of(
-        seasons.begin(), seasons.end(),
-        [&](const Season& other) { return other.name == season.name; });
-    if (is_known)
+    if (!names.insert(season.name).second)
       item.Report("P5108",
                   fmt::format("two seasons are called '{}'", season.name),
                   "give each its own 'name'");

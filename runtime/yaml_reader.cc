@@ -1,10 +1,13 @@
 #include "runtime/yaml_reader.h"
 
 #include <fmt/format.h>
+#include <yaml-cpp/eventhandler.h>
 #include <yaml-cpp/yaml.h>
 
 #include <algorithm>
 #include <charconv>
+#include <sstream>
+#include <unordered_set>
 
 #include "grammar/screen.h"
 #include "grammar/suggest.h"
@@ -72,6 +75,42 @@ Diagnostic NotYaml(const Source& source, const YAML::Exception& error) {
   return diagnostic;
 }
 
+// Where documents begin; nothing else of them.
+class DocumentCounter : public YAML::EventHandler {
+ public:
+  void OnDocumentStart(const YAML::Mark& mark) override {
+    begins_.push_back(mark);
+  }
+  void OnDocumentEnd() override {}
+  void OnNull(const YAML::Mark&, YAML::anchor_t) override {}
+  void OnAlias(const YAML::Mark&, YAML::anchor_t) override {}
+  void OnScalar(const YAML::Mark&, const std::string&, YAML::anchor_t,
+                const std::string&) override {}
+  void OnSequenceStart(const YAML::Mark&, const std::string&, YAML::anchor_t,
+                       YAML::EmitterStyle::value) override {}
+  void OnSequenceEnd() override {}
+  void OnMapStart(const YAML::Mark&, const std::string&, YAML::anchor_t,
+                  YAML::EmitterStyle::value) override {}
+  void OnMapEnd() override {}
+
+  const std::vector<YAML::Mark>& begins() const { return begins_; }
+
+ private:
+  std::vector<YAML::Mark> begins_;
+};
+
+// Of the first two documents. LoadAll would look for all of them, and finds
+// them without end where a ',' stands outside of all brackets (yaml-cpp 0.7
+// takes it for a document and does not go on).
+std::vector<YAML::Mark> DocumentBegins(const std::string& text) {
+  std::istringstream stream(text);
+  YAML::Parser parser(stream);
+  DocumentCounter counter;
+  while (counter.begins().size() < 2 && parser.HandleNextDocument(counter)) {
+  }
+  return counter.begins();
+}
+
 YAML::Node ParseOne(const Source& source, std::vector<Diagnostic>& errors) {
   Diagnostic error;
   error.code = "P5100";
@@ -85,11 +124,17 @@ YAML::Node ParseOne(const Source& source, std::vector<Diagnostic>& errors) {
     return {};
   }
   try {
-    std::vector<YAML::Node> all = YAML::LoadAll(std::string(source.text()));
-    if (all.size() == 1) return all.front();
+    const std::string text(source.text());
+    const std::vector<YAML::Mark> begins = DocumentBegins(text);
+    if (begins.size() == 1) return YAML::Load(text);
     error.message =
-        fmt::format("expected one YAML document, found {}", all.size());
-    if (all.size() > 1) error.span = SpanOf(source, all[1]);
+        fmt::format("expected one YAML document, found {}", begins.size());
+    if (!begins.empty()) {
+      const std::uint32_t at = OffsetOf(source, begins[1]);
+      error.span = {at, at};
+      if (text.substr(at, 1) == ",")
+        error.message = "this is not YAML: a ',' outside of all brackets";
+    }
     errors.push_back(error);
   } catch (const YAML::Exception& exception) {
     errors.push_back(NotYaml(source, exception));
@@ -231,6 +276,7 @@ std::optional<YamlMap> YamlValue::Map(std::string_view what) const {
     return std::nullopt;
   }
   std::vector<YamlMap::Entry> entries;
+  std::unordered_set<std::string> names;
   const auto wrap = [&](const YAML::Node& node) {
     return YamlValue(document_,
                      std::make_shared<const YamlNode>(YamlNode{node}));
@@ -243,10 +289,7 @@ std::optional<YamlMap> YamlValue::Map(std::string_view what) const {
       continue;
     }
     const std::string name = at.text();
-    const bool is_known =
-        std::any_of(entries.begin(), entries.end(),
-                    [&](const auto& other) { return other.key == name; });
-    if (is_known)
+    if (!names.insert(name).second)
       at.Report("P5102", fmt::format("'{}' is given twice", name),
                 "keep one of them");
     else
@@ -306,9 +349,9 @@ std::size_t YamlMap::Choice(std::string_view key, std::size_t otherwise,
 
 void YamlMap::Close() const {
   const std::vector<std::string_view> known(known_.begin(), known_.end());
+  const std::unordered_set<std::string_view> all(known.begin(), known.end());
   for (const Entry& entry : entries_) {
-    if (std::find(known.begin(), known.end(), entry.key) != known.end())
-      continue;
+    if (all.contains(entry.key)) continue;
     const auto nearest = Suggest(entry.key, known);
     entry.at.Report(
         "P5101", fmt::format("unknown key '{}'", entry.key),

@@ -46,13 +46,17 @@ std::string Where(const JsonValue& value) {
 
 void JsonReader::Error(const JsonValue& at, std::string_view code,
                        std::string message, std::string help) {
+  if (is_full()) return;
   Add(JsonPlaceOf(source_.text(), PathOf(at)), code, std::move(message),
       std::move(help));
 }
 
+bool JsonReader::is_full() const {
+  return errors_.size() >= kMaxErrors;
+}
+
 void JsonReader::Add(Span span, std::string_view code, std::string message,
                      std::string help) {
-  if (errors_.size() >= kMaxErrors) return;
   Diagnostic diagnostic;
   diagnostic.code = code;
   diagnostic.span = span;
@@ -74,6 +78,7 @@ bool JsonReader::IsObject(const JsonValue& value,
     return false;
   }
   for (const auto& [key, member] : value.json.items()) {
+    if (is_full()) return false;
     if (std::find(known.begin(), known.end(), key) != known.end()) continue;
     const auto nearest = Suggest(key, known);
     const JsonValue at{member, &value, key};

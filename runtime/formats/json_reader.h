@@ -61,6 +61,8 @@ class JsonReader {
   void Wrong(const JsonValue& value, std::string_view expected);
 
  private:
+  // Asked before a place is looked for, which takes as long as the file.
+  bool is_full() const;
   void Add(Span span, std::string_view code, std::string message,
            std::string help);
 

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "compiler/compiled.h"
+#include "compiler/limits.h"
 #include "compiler/print.h"
 #include "compiler/programs.h"
 #include "compiler/random_genotype.h"
@@ -112,6 +113,20 @@ TEST_CASE("Errors come sorted by position, warnings only with a program",
     last = diagnostic.span.begin;
   }
   CHECK(result.diagnostics().size() == 3);
+}
+
+// Found by reading what parse_fuzz requires: the second genotype was lost.
+TEST_CASE("However many warnings, every genotype of a file is compiled",
+          "[compile]") {
+  std::string text =
+      "plsc 1\nalphabet plasticoding 1\nsense s: bool\n"
+      "genotype a\nrule C -> { C }\n";
+  for (std::size_t i = 0; i < kMaxReported; ++i)
+    text += "rule B -> if s = True and s = False then { B }\n";
+  text += "genotype b\nrule C -> { C B }\n";
+  const auto programs = CompileAll(Source("many", text));
+  REQUIRE(programs);
+  CHECK(programs->size() == 2);
 }
 
 TEST_CASE("Printed programs compile back, bit for bit", "[compile]") {

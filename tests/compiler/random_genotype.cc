@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <memory>
+#include <random>
 #include <string>
 
 #include "compiler/own_alphabet.h"
@@ -14,7 +15,7 @@ namespace {
 
 class Generator {
  public:
-  explicit Generator(std::uint32_t seed) : engine_(seed) {}
+  explicit Generator(const Draw& draw) : draw_(draw) {}
 
   Program Make() {
     Program program;
@@ -38,8 +39,10 @@ class Generator {
 
  private:
   int Below(int n) {
-    return static_cast<int>(engine_() % static_cast<unsigned>(n));
+    const auto count = static_cast<std::uint32_t>(n);
+    return static_cast<int>(draw_(count - 1) % count);
   }
+  std::uint32_t Word() { return draw_(0xFFFFFFFF); }
   bool Chance(int n) { return Below(n) == 0; }
   std::string Name(const char* prefix) {
     return prefix + std::to_string(Below(1000));
@@ -48,8 +51,8 @@ class Generator {
   // Any finite double: all exponents, both zeros, denormals.
   double AnyDouble() {
     while (true) {
-      const std::uint64_t high = engine_();
-      const auto value = std::bit_cast<double>(high << 32U | engine_());
+      const std::uint64_t high = Word();
+      const auto value = std::bit_cast<double>(high << 32U | Word());
       if (Chance(20)) return Chance(2) ? -0.0 : 0.0;
       if (std::isfinite(value)) return value;
     }
@@ -57,7 +60,7 @@ class Generator {
 
   double Between(double low, double high) {
     const double value =
-        low + (high - low) * (static_cast<double>(engine_()) / 4294967295.0);
+        low + (high - low) * (static_cast<double>(Word()) / 4294967295.0);
     return std::clamp(value, low, high);
   }
 
@@ -241,13 +244,19 @@ class Generator {
     }
   }
 
-  std::mt19937 engine_;  // NOLINT(bugprone-random-generator-seed)
+  const Draw& draw_;
 };
 
 }  // namespace
 
 Program RandomProgram(std::uint32_t seed) {
-  return Generator(seed).Make();
+  std::mt19937 engine(seed);  // NOLINT(bugprone-random-generator-seed)
+  return RandomProgram(
+      [&](std::uint32_t) { return static_cast<std::uint32_t>(engine()); });
+}
+
+Program RandomProgram(const Draw& draw) {
+  return Generator(draw).Make();
 }
 
 }  // namespace plsc::testing

@@ -5,7 +5,7 @@
 // numbers from all over the doubles.
 
 #include <cstdint>
-#include <random>
+#include <functional>
 
 #include "compiler/program.h"
 
@@ -13,5 +13,12 @@ namespace plsc::testing {
 
 /// The same program for the same seed.
 Program RandomProgram(std::uint32_t seed);
+
+/// Where choices come from: a number of which only the remainder by `most` + 1
+/// matters.
+using Draw = std::function<std::uint32_t(std::uint32_t most)>;
+/// The program of those choices. Ends for every `draw` that gives zeros after
+/// some time.
+Program RandomProgram(const Draw& draw);
 
 }  // namespace plsc::testing

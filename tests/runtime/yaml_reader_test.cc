@@ -120,7 +120,15 @@ TEST_CASE("Every mistake is shown where it is", "[yaml]") {
       {"an empty file", "", {"expected one YAML document, found 0"}},
       {"two documents",
        "name: a\n---\nname: b\n",
-       {"expected one YAML document, found 2", "test.yaml:3:1"}},
+       {"expected one YAML document, found 2", "test.yaml:2:1"}},
+      // Found by scenario_fuzz: yaml-cpp reads documents without end.
+      {"a comma outside of brackets",
+       "- a\n, b\n",
+       {"error[P5100]: this is not YAML: a ',' outside of all brackets",
+        "test.yaml:2:1"}},
+      {"a comma alone",
+       ",\n",
+       {"error[P5100]: this is not YAML: a ','", "test.yaml:1:1"}},
       {"no YAML at all",
        "name: [a\ncount: 5\n",
        {"error[P5100]: this is not YAML"}},
@@ -156,6 +164,20 @@ TEST_CASE("A byte order mark moves no place", "[yaml]") {
   // The mark counts as a character.
   CHECK(errors.find("test.yaml:1:2\n") != std::string::npos);
   CHECK(errors.find("test.yaml:2:1\n") != std::string::npos);
+}
+
+// Not timed, but the time must not grow with the square of the keys.
+TEST_CASE("A map of very many keys is read", "[yaml]") {
+  std::string text;
+  for (int i = 0; i < 50000; ++i) text += "k" + std::to_string(i) + ": 1\n";
+  const Source source("test.yaml", text + "k0: 2\n");
+  const YamlFile file(source);
+  auto root = file.Root("a test");
+  REQUIRE(root);
+  CHECK(root->TakeAll().size() == 50000);
+  root->Close();
+  REQUIRE(file.diagnostics().size() == 1);
+  CHECK(file.diagnostics()[0].code == "P5102");
 }
 
 TEST_CASE("Printed texts read back", "[yaml]") {
