@@ -134,7 +134,9 @@ class TestChecker {
       Report("P2021", node.name, "a robot has exactly one core");
   }
 
-  // Joints carry modules at the front only, sensors none (paper, Fig. 2).
+  // Joints carry modules at the front only, sensors none (paper, Fig. 2). What
+  // is mounted on the core when its other faces are taken comes to its back
+  // (docs/development.md).
   void CheckFace(const ast::BodyNode& node, Face face) {
     Open& parent = path_.back();
     Span& taken = parent.faces[static_cast<std::size_t>(face)];
@@ -152,6 +154,10 @@ class TestChecker {
       Report("P2021", node.face,
              fmt::format("a joint has no {} face", FaceName(face)))
           .label = "modules are mounted at its front";
+    if (face == Face::kBack && !is_joint && parent.symbol &&
+        parent.symbol != plasticoding::kC && parent.symbol != plasticoding::kT)
+      Report("P2021", node.face, "only the core has a back").label =
+          "a module's back is where it is mounted itself";
   }
 
   // A module whose children are being read.

@@ -86,6 +86,29 @@ void CheckNames(const ast::File& file, Diagnostics* diagnostics) {
   }
 }
 
+// What is shared is copied into each genotype, so that a small file could ask
+// for more memory than there is.
+std::size_t SharedBytes(const ast::File& file) {
+  std::size_t shared = 0;
+  for (const ast::Item& item : file.items) {
+    if (item.kind == ast::ItemKind::kGenotype) break;
+    shared += item.span.end - item.span.begin;
+  }
+  return shared;
+}
+
+Diagnostic TooMuchShared(const ast::File& file) {
+  Diagnostic diagnostic;
+  diagnostic.code = "P3002";
+  diagnostic.span = file.genotypes[0].name;
+  diagnostic.message = fmt::format(
+      "{} genotypes share {} bytes of text: together more than {} MiB",
+      file.genotypes.size(), SharedBytes(file), kMaxSharedText >> 20U);
+  diagnostic.label = "what stands before this belongs to each genotype";
+  diagnostic.help = "spread the genotypes over several files";
+  return diagnostic;
+}
+
 // Calls `take` with the program and the map of each genotype. The diagnostics,
 // sorted; nothing was taken, or too little, when there are errors among them.
 template <typename Take>
@@ -105,6 +128,11 @@ Diagnostics CompileEach(const Source& source, const CompileOptions& options,
   };
   if (file.genotypes.size() > 1) {
     CheckNames(file, &diagnostics);
+    if (SharedBytes(file) * file.genotypes.size() > kMaxSharedText) {
+      diagnostics.push_back(TooMuchShared(file));
+      SortAndDropRepeated(&diagnostics);
+      return diagnostics;
+    }
     for (const ast::File& section : SplitIntoSections(file)) {
       // Only errors may keep a genotype from being compiled.
       if (diagnostics.size() >= kMaxReported && HasErrors(diagnostics)) break;

@@ -5,8 +5,8 @@
 namespace plsc {
 
 std::string_view FaceName(Face face) {
-  constexpr std::array<std::string_view, kFaces> kNames = {"front", "left",
-                                                           "right"};
+  constexpr std::array<std::string_view, kFaces> kNames = {"back", "front",
+                                                           "left", "right"};
   return kNames[static_cast<std::size_t>(face)];
 }
 

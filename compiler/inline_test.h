@@ -23,10 +23,11 @@ struct ExpectedSymbol {
                          const ExpectedSymbol&) = default;
 };
 
-/// Where a module is mounted on its parent; alphabetical.
-enum class Face : std::uint8_t { kFront, kLeft, kRight };
-inline constexpr int kFaces = 3;
-/// "front", "left", "right".
+/// Where a module is mounted on its parent; alphabetical. Only the core has
+/// something at its back: what is mounted when its other three are taken.
+enum class Face : std::uint8_t { kBack, kFront, kLeft, kRight };
+inline constexpr int kFaces = 4;
+/// "back", "front", "left", "right".
 std::string_view FaceName(Face face);
 
 /// A module of a test's expected body; a parent stands before its children.

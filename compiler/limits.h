@@ -26,6 +26,11 @@ inline constexpr int kMaxModules = 1000;
 inline constexpr int kMinLimit = 1;
 inline constexpr int kMaxLimit = 1000;
 
+/// Bytes of what several genotypes of a file share, times their number: each
+/// gets a copy. As much as a file of the largest size, so that memory stays
+/// within what such a file takes.
+inline constexpr std::size_t kMaxSharedText = std::size_t{16} << 20U;
+
 /// 2^53: whole numbers up to here are doubles exactly.
 inline constexpr double kMaxWholeNumber = 9007199254740992.0;
 

@@ -8,7 +8,7 @@ namespace plsc {
 namespace {
 
 std::span<const Occurrence> Successor(const ActiveRules& active,
-                                         const Insertion& insertion) {
+                                      const Insertion& insertion) {
   return active.joined[static_cast<std::size_t>(insertion.occurrence.symbol)];
 }
 

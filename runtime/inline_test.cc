@@ -18,10 +18,9 @@ namespace {
 // Symbols of a developed string that a note shows: some lines' worth.
 constexpr std::size_t kShownSymbols = 60;
 
-// Slots in the order of Face; a back is never a child's (paper, Table 1:
-// modules are mounted at front, left and right).
-constexpr std::array<Slot, kFaces> kSlotOf = {Slot::kFront, Slot::kLeft,
-                                              Slot::kRight};
+// Slots in the order of Face.
+constexpr std::array<Slot, kFaces> kSlotOf = {Slot::kBack, Slot::kFront,
+                                              Slot::kLeft, Slot::kRight};
 
 SymbolId SymbolOf(ModuleType type) {
   switch (type) {

@@ -68,8 +68,7 @@ World::Ode::Ode(const Assembly& assembly, const Terrain& on,
                 static_cast<int>(assembly.links.size()) <=
                     options.physics.max_direct_links) {
   OpenOde();
-  most_warnings =
-      physics.max_solver_failures * options.duration / physics.step;
+  most_warnings = physics.max_solver_failures * options.duration / physics.step;
   if (on.type == TerrainType::kRough) field.emplace(on.rough);
   world = dWorldCreate();
   // The default one is shared by all worlds and not safe between threads.

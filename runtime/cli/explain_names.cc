@@ -270,8 +270,8 @@ test grows in summer -> body C { left B }
 )"},
     {"P2021", ExampleKind::kGenotype,
      R"(An expected body starts with the one core, C. In braces behind a module
-stand the modules at its faces: front, left and right of C and B, front
-of the joints A1 and A2, none of the sensor T.
+stand the modules at its faces: front, left and right of C and B, back of
+C, front of the joints A1 and A2, none of the sensor T.
 )",
      R"(plsc 1
 alphabet plasticoding 1

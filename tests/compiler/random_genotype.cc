@@ -215,10 +215,13 @@ class Generator {
     if (depth == 4 || module == plasticoding::kT) return;
     const bool is_joint =
         module == plasticoding::kA1 || module == plasticoding::kA2;
-    for (int f = 0; f < (is_joint ? 1 : kFaces); ++f)
-      if (Chance(3))
-        MakeBody(static_cast<SymbolId>(1 + Below(4)), depth + 1,
-                 static_cast<Face>(f), body);
+    for (int f = 0; f < kFaces; ++f) {
+      const auto child = static_cast<Face>(f);
+      const bool is_there = child == Face::kFront ||
+                            (!is_joint && (child != Face::kBack || depth == 0));
+      if (is_there && Chance(3))
+        MakeBody(static_cast<SymbolId>(1 + Below(4)), depth + 1, child, body);
+    }
   }
 
   void MakeRules(Genotype* genotype) {

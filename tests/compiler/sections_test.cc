@@ -124,5 +124,15 @@ TEST_CASE("Formatting keeps sections apart and what is shared first",
   CHECK(at("genotype ladder") < at("environment wet"));
 }
 
+TEST_CASE("What is shared is not copied without end", "[sections]") {
+  std::string text = "plsc 1 alphabet plasticoding 1\n";
+  for (int i = 0; i < 1000; ++i) text += "rule B -> { add_left B }\n";
+  for (int i = 0; i < 1000; ++i)
+    text += "genotype g" + std::to_string(i) + "\n";
+  const auto all = CompileAll(Source("zoo", text));
+  REQUIRE(all.diagnostics().size() == 1);
+  CHECK(all.diagnostics()[0].code == "P3002");
+}
+
 }  // namespace
 }  // namespace plsc

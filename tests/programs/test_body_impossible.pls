@@ -10,3 +10,4 @@ test f -> body C { left T { front B } }  # expect error[P2021]
 test g -> body C { left add_left }  # expect error[P2021]
 test h -> body C { left AJ1 }  # expect error[P2001]
 test i -> body C { front T left B { right A2 { front T } } }
+test j -> body C { back B left B { back T } }  # expect error[P2021]

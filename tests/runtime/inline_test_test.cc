@@ -63,6 +63,11 @@ TEST_CASE("Inline tests of a body compare the tree", "[inline_test]") {
   CHECK(Outcome(robot + "test a in warm -> body C { front T "
                         "left A1 { front B } }") == "passes");
   CHECK(Outcome(robot + "test a in cold -> body C") == "passes");
+  // The fourth module comes to the core's back.
+  CHECK(Outcome(
+            "plsc 1 alphabet plasticoding 1 iterations 1\n"
+            "rule C -> { C add_left B add_front B add_right B add_left T(1) }\n"
+            "test a -> body C { left B front B right B back T }") == "passes");
 }
 
 TEST_CASE("Inline tests of a body point at what is otherwise",
