@@ -192,14 +192,15 @@ std::string ArrowSvg(const Terrain& terrain, const MapView& view) {
                         terrain.tilt * 180 / std::numbers::pi)
       : terrain.type == TerrainType::kSteps ? "stairs up"
                                             : "front (+y)";
-  // Only a slope has an arrow that is filled: seen before it is read.
+  // Only where it goes up is the arrow filled: seen before it is read.
+  const bool is_up = terrain.type == TerrainType::kTilted ||
+                     terrain.type == TerrainType::kSteps;
   return fmt::format(
       R"(<path d="M{0} {1} l7 14 h-4 v24 h-6 v-24 h-4 z" fill="{2}" )"
       R"(stroke="#333"/>)"
       R"(<text x="{3}" y="{4}" class="small" text-anchor="end">{5}</text>)"
       "\n",
-      x, y, terrain.type == TerrainType::kTilted ? "#333" : "#fff", x - 12,
-      y + 14, label);
+      x, y, is_up ? "#333" : "#fff", x - 12, y + 14, label);
 }
 
 std::string HeadingSvg(const RecordedSeason& season, const MapView& view) {
@@ -225,8 +226,8 @@ std::string FootingSvg(const RecordedSeason& season, const MapView& view,
   if (samples > 0) {
     const double lived =
         season.motion.TimeOf(samples - 1) - season.motion.begin;
-    legend = fmt::format("{:.6g} s lived, a dot every {:g} s", lived,
-                         DotInterval(lived));
+    legend =
+        fmt::format("{:.6g} s, dot every {:g} s", lived, DotInterval(lived));
     if (season.terrain.type == TerrainType::kRough) legend += ", dark is low";
   }
   return fmt::format(

@@ -92,7 +92,7 @@ Json TrackJson(const Eigen::MatrixXd& numbers, double unit) {
 }
 
 Json MotionJson(const Motion& motion) {
-  Eigen::MatrixXd steps(1, motion.samples());
+  Eigen::MatrixXd steps(motion.samples() > 0 ? 1 : 0, motion.samples());
   for (Eigen::Index i = 0; i < motion.samples(); ++i)
     steps(0, i) =
         static_cast<double>(motion.steps[static_cast<std::size_t>(i)]);

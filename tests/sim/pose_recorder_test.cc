@@ -52,8 +52,8 @@ TEST_CASE("poses are recorded from the start to the end, 20 ms apart",
     CHECK(motion.position.col(last).segment<3>(
               3 * static_cast<Eigen::Index>(link)) ==
           lived.end.poses[link].position);
-  CHECK(motion.joint_angle(0, last) == lived.trajectory.joint_angle(
-                                           0, lived.trajectory.time.size() - 1));
+  CHECK(motion.joint_angle(0, last) ==
+        lived.trajectory.joint_angle(0, lived.trajectory.time.size() - 1));
   // Neighbours never jump to the other quaternion of the same turn.
   for (Eigen::Index i = 0; i < last; ++i)
     for (const Eigen::Index link : {0, 4})
@@ -62,20 +62,21 @@ TEST_CASE("poses are recorded from the start to the end, 20 ms apart",
 }
 
 TEST_CASE("touch is recorded as the sensor felt it", "[pose_recorder]") {
-  // A core that stands on the sensor below its left side feels it; see the
-  // sensor's box: it reaches less far down than the core, so a level core
-  // does not touch the ground with it.
+  // A limb with a sensor at its tip that slowly bows to the ground and back:
+  // 23 mm below the hinge of a limb of 10 cm is a bow of 13 degrees.
+  Body body = LoneCore();
+  const int joint = Mount(body, 0, Slot::kFront, ModuleType::kHorizontalJoint);
+  const int brick = Mount(body, joint, Slot::kFront, ModuleType::kBrick);
+  Mount(body, brick, Slot::kFront, ModuleType::kTouchSensor);
   PoseRecorder recorder;
-  Live(Walker(), {}, Seconds(0.5), {}, &recorder);
-  CHECK(recorder.Take().touch.maxCoeff() == 0);
-  // Tumbling from 1 m up with a spin of the slope it lands on some side.
-  SimulationOptions fall = Seconds(3);
-  fall.start_height = 1;
-  Terrain slope;
-  slope.type = TerrainType::kTilted;
-  slope.tilt = 1.2;
-  Live(Walker(), slope, fall, {}, &recorder);
+  Live(WithOscillators(body, 1, 10), {}, Seconds(10), {}, &recorder);
   const Motion motion = recorder.Take();
+  REQUIRE(motion.touch.rows() == 1);
+  for (Eigen::Index i = 0; i < motion.samples(); ++i) {
+    // Limbs that are up cannot touch, and those that bow deep must.
+    if (motion.joint_angle(0, i) < 0) CHECK(motion.touch(0, i) == 0);
+    if (motion.joint_angle(0, i) > 0.5) CHECK(motion.touch(0, i) == 1);
+  }
   CHECK(motion.touch.minCoeff() == 0);
   CHECK(motion.touch.maxCoeff() == 1);
 }

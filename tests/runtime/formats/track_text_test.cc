@@ -22,8 +22,7 @@ TEST_CASE("tracks are written as documented", "[track_text]") {
   };
   const std::vector<Row_> rows = {
       {"nothing", Eigen::MatrixXd(0, 5), 1, ""},
-      {"0, -1, 1: 0, -1, +2 are the bytes 0, 1, 4", Row({0, -1, 1}), 1,
-       "AAEE"},
+      {"0, -1, 1: 0, -1, +2 are the bytes 0, 1, 4", Row({0, -1, 1}), 1, "AAEE"},
       {"100 is 200, bytes 0xC8 0x01", Row({100}), 1, "yAE="},
       {"units", Row({0.001}), 1e-5, "yAE="},
       {"one byte", Row({-64}), 1, "fw=="},
