@@ -19,6 +19,17 @@ Matrix Columns(const std::vector<Scalar>& values, std::size_t samples) {
       static_cast<Eigen::Index>(samples));
 }
 
+bool IsShowable(const World& world) {
+  for (int link = 0; link < world.links(); ++link) {
+    const LinkPose pose = world.PoseOf(link);
+    // Not a number compares false.
+    if (!(pose.position.cwiseAbs().maxCoeff() <= kFarthest) ||
+        !pose.position.allFinite() || !pose.axes.allFinite())
+      return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 std::int64_t ReplayStride(const SimulationOptions& options, int links) {
@@ -48,6 +59,7 @@ bool PoseRecorder::See(const World& world, std::int64_t step) {
 }
 
 void PoseRecorder::Sample(const World& world, std::int64_t step) {
+  if (!IsShowable(world)) return;
   const std::size_t before = turns_.size();
   const auto width = static_cast<std::size_t>(4 * world.links());
   motion_.steps.push_back(step);

@@ -46,6 +46,10 @@ inline constexpr double kReplayInterval = 0.02;
 /// 1000 s of life at 20 ms.
 inline constexpr double kMaxPoses = 750000;
 
+/// m. Samples of a robot that is farther away, or nowhere, are left out: worlds
+/// end long before, but files must never hold what is no number.
+inline constexpr double kFarthest = 1e9;
+
 /// Steps between two samples; at least 1.
 std::int64_t ReplayStride(const SimulationOptions& options, int links);
 

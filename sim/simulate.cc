@@ -91,7 +91,7 @@ Trajectory Nothing(const SimulationOptions& options, World::Failure failure) {
 
 Trajectory StoppedAt(double time, Trajectory trajectory) {
   trajectory.outcome = Outcome::kStopped;
-  trajectory.reason = fmt::format("stopped by the user after {:.1f} s", time);
+  trajectory.reason = fmt::format("by the user after {:.1f} s", time);
   return trajectory;
 }
 

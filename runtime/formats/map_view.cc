@@ -17,7 +17,8 @@ namespace {
 // px. What is smaller cannot be told apart, and would make files of millions
 // of elements.
 constexpr double kSmallest = 6;
-constexpr double kShade = 20;  // px, side of a square of rough ground
+constexpr double kGrey = 0.09;  // opacity of a box
+constexpr double kShade = 20;   // px, side of a square of rough ground
 
 std::string BoxesSvg(const Terrain& terrain, const MapView& view) {
   const double half = view.side / view.scale / 2;
@@ -29,24 +30,27 @@ std::string BoxesSvg(const Terrain& terrain, const MapView& view) {
       Eigen::Vector3d(view.centre.x() + half, view.centre.y() + half, 1e4));
   std::vector<StaticBox> boxes;
   AppendStaticBoxes(terrain, bounds, boxes);
+  // Steps lie upon each other, and their greys add up: never to black.
+  const double opacity =
+      terrain.type == TerrainType::kSteps
+          ? std::min(kGrey, 0.6 / static_cast<double>(boxes.size()))
+          : kGrey;
   std::string svg;
   for (const StaticBox& box : boxes) {
     const Eigen::Vector2d size = box.size.head<2>();
     // Steps go on for kilometres, which viewers draw badly.
     Eigen::Vector2d low = box.centre.head<2>() - size / 2;
     Eigen::Vector2d high = box.centre.head<2>() + size / 2;
-    low = low.cwiseMax(view.centre.array().matrix() -
-                       Eigen::Vector2d::Constant(1.1 * half));
-    high = high.cwiseMin(view.centre.array().matrix() +
-                         Eigen::Vector2d::Constant(1.1 * half));
+    low = low.cwiseMax(view.centre - Eigen::Vector2d::Constant(1.1 * half));
+    high = high.cwiseMin(view.centre + Eigen::Vector2d::Constant(1.1 * half));
     const Eigen::Vector2d a = view(low);
     const Eigen::Vector2d b = view(high);
     fmt::format_to(std::back_inserter(svg),
                    R"(<rect x="{:.1f}" y="{:.1f}" width="{:.1f}" )"
-                   R"(height="{:.1f}" class="box"/>)"
+                   R"(height="{:.1f}" class="box" fill-opacity="{:.3g}"/>)"
                    "\n",
                    a.x(), b.y(), std::max(b.x() - a.x(), 0.0),
-                   std::max(a.y() - b.y(), 0.0));
+                   std::max(a.y() - b.y(), 0.0), opacity);
   }
   return svg;
 }

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <iterator>
 #include <numbers>
+#include <vector>
 
 #include "runtime/formats/map_view.h"
 #include "runtime/formats/svg_style.h"
@@ -25,9 +26,11 @@ constexpr int kMostInRow = 4;     // wider pictures do not fit screens
 constexpr double kFilled = 0.86;  // of a square that the widest season takes
 // px per m: 25 cm fill a square; a robot that rests is not made a monster.
 constexpr double kMaxScale = 1520;
+// Between the widest season and one that shares its scale.
+constexpr double kMostRatio = 4;
 constexpr double kFinest = 1;             // px, the shortest piece of a path
 constexpr int kTones = 24;                // of the path's colour
-constexpr int kMostDots = 60;             // on a path
+constexpr int kMostDots = 30;             // on a path
 constexpr std::size_t kMostLetters = 46;  // of a heading of 400 px at 13 px
 
 Eigen::AlignedBox2d ExtentOf(const RecordedSeason& season) {
@@ -44,11 +47,19 @@ Eigen::AlignedBox2d ExtentOf(const RecordedSeason& season) {
   return extent;
 }
 
-double ScaleFor(const Recording& recording) {
-  double widest = 0;
+// px per m, by season: one scale for all, so that ways can be compared; but
+// where that would make one a speck beside another, to each its own.
+std::vector<double> ScalesFor(const Recording& recording) {
+  std::vector<double> scales;
   for (const RecordedSeason& season : recording.seasons)
-    widest = std::max(widest, ExtentOf(season).sizes().maxCoeff());
-  return std::min(kMaxScale, kFilled * kPlot / std::max(widest, 1e-9));
+    scales.push_back(std::min(
+        kMaxScale,
+        kFilled * kPlot / std::max(ExtentOf(season).sizes().maxCoeff(), 1e-9)));
+  if (scales.empty()) return scales;
+  const auto [least, most] = std::minmax_element(scales.begin(), scales.end());
+  if (*most <= kMostRatio * *least)
+    scales.assign(scales.size(), double{*least});
+  return scales;
 }
 
 // One hue from light to dark: the order can be seen without colours, too.
@@ -271,7 +282,7 @@ std::string SeasonSvg(const RecordedSeason& season, const MapView& view,
 }  // namespace
 
 std::string PathSvg(const Recording& recording) {
-  const double scale = ScaleFor(recording);
+  const std::vector<double> scales = ScalesFor(recording);
   const auto seasons = static_cast<int>(recording.seasons.size());
   const int columns = std::clamp(seasons, 1, kMostInRow);
   const int rows = (seasons + columns - 1) / columns;
@@ -283,7 +294,7 @@ std::string PathSvg(const Recording& recording) {
       "<style>.title{{font-size:18px}} .name{{font-size:15px;"
       "font-weight:bold}} .small{{font-size:13px}} "
       ".grid{{stroke:#000;stroke-opacity:0.1}} .frame{{fill:none;stroke:#999}} "
-      ".box{{fill:#000;fill-opacity:0.09;stroke:#888}} "
+      ".box{{stroke:#888}} "
       ".bar{{fill:none;stroke:#000;stroke-width:2}} "
       ".start{{fill:#fff;fill-opacity:0.7;stroke:#666;"
       "stroke-dasharray:3 2}} "
@@ -303,7 +314,7 @@ std::string PathSvg(const Recording& recording) {
         recording.seasons[static_cast<std::size_t>(i)];
     MapView view;
     view.centre = ExtentOf(season).center();
-    view.scale = scale;
+    view.scale = scales[static_cast<std::size_t>(i)];
     view.corner = {kGap + i % columns * (kPlot + kGap),
                    kTitle + i / columns * panel + kHeading};
     view.side = kPlot;

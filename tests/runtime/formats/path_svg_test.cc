@@ -31,6 +31,22 @@ TEST_CASE("a picture has a square a season with both bodies", "[path_svg]") {
   CHECK(svg.find("inf") == std::string::npos);
 }
 
+TEST_CASE("seasons share a scale unless one would be a speck", "[path_svg]") {
+  Recording recording = test::SmallRecording();
+  // The robot takes 0.2 m; a way of 0.4 m shares its scale, 4 m do not.
+  Eigen::MatrixXd& position = recording.seasons[1].motion.position;
+  const auto move = [&](double way) {
+    for (const Eigen::Index y : {1, 4})
+      for (Eigen::Index i = 1; i < position.cols(); ++i) position(y, i) += way;
+  };
+  move(0.4);
+  CHECK(Count(PathSvg(recording), ">10 cm<") == 2);
+  move(3.6);
+  const std::string svg = PathSvg(recording);
+  CHECK(Count(svg, ">100 cm<") == 1);
+  CHECK(Count(svg, ">5 cm<") == 1);
+}
+
 TEST_CASE("names and reasons cannot break a picture", "[path_svg]") {
   Recording recording = test::SmallRecording();
   recording.name = "<&\">";
