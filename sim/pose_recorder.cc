@@ -61,7 +61,7 @@ bool PoseRecorder::See(const World& world, std::int64_t step) {
 void PoseRecorder::Sample(const World& world, std::int64_t step) {
   if (!IsShowable(world)) return;
   const std::size_t before = turns_.size();
-  const auto width = static_cast<std::size_t>(4 * world.links());
+  const std::size_t width = 4 * static_cast<std::size_t>(world.links());
   motion_.steps.push_back(step);
   for (int link = 0; link < world.links(); ++link) {
     const LinkPose pose = world.PoseOf(link);

@@ -315,8 +315,9 @@ std::string PathSvg(const Recording& recording) {
     MapView view;
     view.centre = ExtentOf(season).center();
     view.scale = scales[static_cast<std::size_t>(i)];
+    const int row = i / columns;
     view.corner = {kGap + i % columns * (kPlot + kGap),
-                   kTitle + i / columns * panel + kHeading};
+                   kTitle + row * panel + kHeading};
     view.side = kPlot;
     svg += SeasonSvg(season, view, static_cast<std::size_t>(i));
   }

@@ -86,6 +86,7 @@ std::vector<Outline> TopView(const RecordedSeason& season,
       by_height.begin(), by_height.end(),
       [](const auto& a, const auto& b) { return a.first < b.first; });
   std::vector<Outline> outlines;
+  outlines.reserve(by_height.size());
   for (auto& [height, outline] : by_height)
     outlines.push_back(std::move(outline));
   return outlines;
