@@ -194,8 +194,8 @@ BodyDescriptors DescribeBody(const Body& body) {
   const Cells cells = CellsOf(body);
   MeasureExtent(cells, d);
   d.symmetry = Symmetry(cells);
-  // The authors' program keeps the division defined with this number; it is
-  // part of the published descriptor (a full body's Sensors is huge, not 0).
+  // The authors' program keeps the division defined with this number, and
+  // publishes it as a descriptor. Sensors sit on free slots: it gives 0.
   if (d.free_slots == 0) d.free_slots = 0.0001;
   d.sensors = d.touch_sensor_count / d.free_slots;
   return d;

@@ -130,10 +130,12 @@ void Life::TellChange(const Phenotype& robot, SeasonResult& result) const {
 
 Lived Life::LiveIn(const Season& season, const SimulationOptions& options,
                    const Phenotype& robot, const Spot& spot) const {
-  if (!LivesOn()) return Live(robot, season.terrain, options, {});
-  if (robot == *robot_)
-    return Live(robot, season.terrain, options, {0, {}, &state_});
-  return Live(robot, season.terrain, options, {state_.time, spot, nullptr});
+  Onset onset;
+  if (LivesOn() && robot == *robot_)
+    onset.carried = &state_;
+  else if (LivesOn())
+    onset = {state_.time, spot, nullptr};
+  return Live(robot, season.terrain, options, onset, watcher_);
 }
 
 SeasonLife Life::Next() {
@@ -179,7 +181,7 @@ SeasonLife Life::Next() {
   if (result.outcome != Outcome::kCompleted)
     ended_ = fmt::format("the life ended in season '{}': {}", season.name,
                          OutcomeName(result.outcome));
-  robot_ = *robot;
+  robot_ = life.robot = *robot;
   sensed_ = result.sensed;
   state_ = std::move(lived.end);
   ++next_;

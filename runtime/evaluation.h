@@ -15,6 +15,7 @@
 #include "sim/outcome.h"
 #include "sim/simulate.h"
 #include "sim/trajectory.h"
+#include "sim/watcher.h"
 
 namespace plsc {
 
@@ -73,14 +74,17 @@ double SeasonFitness(double speed, int hinge_count);
 struct SeasonLife {
   SeasonResult result;
   Trajectory trajectory;
+  std::optional<Phenotype> robot;  ///< that lived, or was not simulated
 };
 
 /// A genotype on its way through a scenario, season by season: sense, regulate,
 /// develop, live. What it senses must be known (CheckSenses).
 class Life {
  public:
-  Life(const Genotype& genotype, const Scenario& scenario)
-      : genotype_(genotype), scenario_(scenario) {}
+  /// The watcher, if any, must outlive it.
+  Life(const Genotype& genotype, const Scenario& scenario,
+       Watcher* watcher = nullptr)
+      : genotype_(genotype), scenario_(scenario), watcher_(watcher) {}
 
   bool is_over() const { return next_ == scenario_.seasons.size(); }
   /// Lives the next season.
@@ -96,6 +100,7 @@ class Life {
 
   Genotype genotype_;
   Scenario scenario_;
+  Watcher* watcher_ = nullptr;
   std::size_t next_ = 0;
   std::string ended_;  ///< continuous lives: why there is no robot any more
   std::optional<Phenotype> robot_;   ///< of the season before

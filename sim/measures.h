@@ -17,14 +17,24 @@ enum class MeasuredPoint : std::uint8_t {
 };
 
 /// All zero, with is_valid false, for a trajectory that was not completed.
+/// Speeds are between the first and the last sample; 50 m/s is the limit of
+/// worlds (PhysicsOptions::max_speed).
 struct Behaviour {
   bool is_valid = false;
-  double displacement_velocity_hill = 0;  ///< m/s, the paper's Speed: progress
-                                          ///< along +y (the paper's x)
-  double displacement_velocity = 0;       ///< m/s, straight, in the xy plane
-  double velocity = 0;      ///< m/s, along the path in the xy plane
-  double head_balance = 0;  ///< 0.25 to 1, the paper's Balance (Eq. 4)
-  double contacts = 0;      ///< mean contact points a sample over Size
+  /// m/s, the paper's Speed (Eq. 3): progress along +y (the paper's x), which
+  /// is the robot's front at birth and uphill; negative backwards.
+  double displacement_velocity_hill = 0;
+  /// m/s, at least 0: straight from start to end, in the xy plane.
+  double displacement_velocity = 0;
+  /// m/s, at least 0: along the path in the xy plane, from sample to sample
+  /// (measures.py:velocity, whose window subtracts the wrong sample).
+  double velocity = 0;
+  /// 0.25 to 1: the paper's Balance (Eq. 4), of the core's roll and pitch.
+  double head_balance = 0;
+  /// At least 0: mean contact points a sample over Size. The authors sum over
+  /// a window of 251 records, which they call unreliable themselves; the cap
+  /// on contacts (sim/ground) bounds it, too.
+  double contacts = 0;
 };
 
 /// `size`: modules that are no sensors, at least 1.

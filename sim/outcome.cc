@@ -26,6 +26,8 @@ std::string_view OutcomeName(Outcome outcome) {
       return "too_large";
     case Outcome::kNotReached:
       return "not_reached";
+    case Outcome::kStopped:
+      return "stopped";
   }
   assert(false);
   return "";

@@ -19,11 +19,12 @@ enum class Outcome : std::uint8_t {
   kOutOfSteps,    ///< asks for more steps than it may have, or for none
   kTooLarge,      ///< has more links than it may have; not simulated
   kNotReached,    ///< the one life ended in a season before
+  kStopped,       ///< by the user, in mid-life
 };
 
 /// "completed", "overlapping", "undeveloped", "unstable", "worker_died",
 /// "fell_through", "solver_failed", "out_of_steps", "too_large",
-/// "not_reached": as results and JSON name it.
+/// "not_reached", "stopped": as results and JSON name it.
 std::string_view OutcomeName(Outcome outcome);
 
 }  // namespace plsc

@@ -89,6 +89,12 @@ Trajectory Nothing(const SimulationOptions& options, World::Failure failure) {
   return nothing;
 }
 
+Trajectory StoppedAt(double time, Trajectory trajectory) {
+  trajectory.outcome = Outcome::kStopped;
+  trajectory.reason = fmt::format("by the user after {:.1f} s", time);
+  return trajectory;
+}
+
 std::unique_ptr<World> Enter(const Assembly& assembly, const Terrain& terrain,
                              const SimulationOptions& options,
                              const Onset& onset) {
@@ -122,7 +128,8 @@ LifeState StateOf(const World& world, double time,
 }  // namespace
 
 Lived Live(const Phenotype& phenotype, const Terrain& terrain,
-           const SimulationOptions& options, const Onset& onset) {
+           const SimulationOptions& options, const Onset& onset,
+           Watcher* watcher) {
   assert(options.physics.step > 0 && options.sample_interval > 0 &&
          options.servo.update_rate > 0);
   const Assembly assembly = Assemble(phenotype.body);
@@ -139,11 +146,20 @@ Lived Live(const Phenotype& phenotype, const Terrain& terrain,
   const auto time = [&](std::int64_t step) {
     return birth + static_cast<double>(step) * options.physics.step;
   };
+  const auto is_stopped = [&](std::int64_t step) {
+    return watcher != nullptr && !watcher->See(*world, step);
+  };
+  if (watcher != nullptr) watcher->Begin(phenotype, options, birth);
   std::int64_t step = 0;
+  if (is_stopped(0)) return {StoppedAt(0, recorder.Finish(*world, 0)), {}};
   for (const std::int64_t due : samples) {
     for (; step < due; ++step) {
       drive.Act(step, *world);
       if (!world->Step()) return {recorder.Finish(*world, step + 1), {}};
+      if (is_stopped(step + 1))
+        return {StoppedAt(time(step + 1) - birth,
+                          recorder.Finish(*world, step + 1)),
+                {}};
     }
     recorder.Sample(*world, time(step));
   }

@@ -9,6 +9,7 @@
 #include "sim/placement.h"
 #include "sim/terrain.h"
 #include "sim/trajectory.h"
+#include "sim/watcher.h"
 #include "sim/world.h"
 
 namespace plsc {
@@ -41,9 +42,11 @@ struct Lived {
 /// simulated before and in whatever thread. Robots without joints are
 /// simulated, too (they fall and rest). Not simulated, and without samples, is
 /// a robot that overlaps in the rest pose (kOverlapping) or has too many links
-/// (kTooLarge), and a life of no step or too many (kOutOfSteps).
+/// (kTooLarge), and a life of no step or too many (kOutOfSteps). The watcher,
+/// if any, sees every step and may end the life (kStopped).
 Lived Live(const Phenotype& phenotype, const Terrain& terrain,
-           const SimulationOptions& options, const Onset& onset);
+           const SimulationOptions& options, const Onset& onset,
+           Watcher* watcher = nullptr);
 
 /// From a fresh start at the origin.
 Trajectory Simulate(const Phenotype& phenotype, const Terrain& terrain,

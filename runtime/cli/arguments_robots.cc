@@ -163,15 +163,28 @@ CLI::App* AddSimulate(CLI::App& app, SimulateCommand& command) {
                   "also write each season's samples as FOLDER/SEASON.csv, and "
                   "FOLDER/scenario.yaml with every constant")
       ->option_text("FOLDER");
+  sub->add_option("--record", command.record,
+                  "also write the pose of every link, 50 times a second, to be "
+                  "replayed (one JSON file, see docs/formats.md)")
+      ->option_text("FILE");
+  sub->add_option("--svg", command.svg,
+                  "also draw the path of each season seen from above, with the "
+                  "body at the start and at the end")
+      ->option_text("FILE");
   sub->footer(
       "In every season the robot senses, develops for what it senses, lives "
       "and is\nmeasured: Speed in cm/s uphill (the robot's front), Balance 0 "
       "to "
       "1, fitness in m/s\nas the paper defines it. The line below each season "
       "tells when and why the robot\nchanged. Seasons start afresh at the "
-      "origin, or are one life (lives: continuous).\n\n"
+      "origin, or are one life (lives: continuous).\n"
+      "On a terminal a line shows how far a long life is. Ctrl-C ends it: what "
+      "was lived\nis written, and the exit status is 130. Files that exist are "
+      "replaced.\n\n"
       "  plsc simulate examples/gecko.pls\n"
-      "  plsc simulate robot.pls --scenario hot.yaml --format json");
+      "  plsc simulate examples/gecko.pls --descriptors\n"
+      "  plsc simulate robot.pls --scenario hot.yaml --format json\n"
+      "  plsc simulate robot.pls --record robot.rec.json --svg robot.svg");
   return sub;
 }
 

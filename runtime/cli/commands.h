@@ -81,6 +81,8 @@ struct SimulateCommand {
   OutputFormat format = OutputFormat::kText;
   std::string trajectory_folder;  ///< empty: none
   bool descriptors = false;       ///< all of them, text format only
+  std::string record;             ///< a file; empty: none
+  std::string svg;                ///< likewise
 };
 
 struct EvolveCommand {

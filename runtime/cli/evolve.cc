@@ -1,12 +1,12 @@
 #include <fmt/format.h>
 #include <sys/resource.h>
 
-#include <csignal>
 #include <nlohmann/json.hpp>
 #include <ostream>
 
 #include "compiler/print.h"
 #include "runtime/cli/commands.h"
+#include "runtime/cli/interrupt.h"
 #include "runtime/cli/load_yaml.h"
 #include "runtime/cli/progress.h"
 #include "runtime/develop.h"
@@ -17,33 +17,6 @@
 namespace plsc::cli {
 
 namespace {
-
-// Set by Ctrl-C; asked by the run between evaluations.
-volatile std::sig_atomic_t interrupted = 0;
-
-// Takes SIGINT and SIGTERM for as long as it lives. A second signal ends the
-// program at once, as without us.
-class InterruptHandler {
- public:
-  InterruptHandler() {
-    interrupted = 0;
-    struct sigaction action {};
-    action.sa_handler = [](int) { interrupted = 1; };
-    action.sa_flags = static_cast<int>(SA_RESETHAND);
-    ::sigaction(SIGINT, &action, &old_int_);
-    ::sigaction(SIGTERM, &action, &old_term_);
-  }
-  ~InterruptHandler() {
-    ::sigaction(SIGINT, &old_int_, nullptr);
-    ::sigaction(SIGTERM, &old_term_, nullptr);
-  }
-  InterruptHandler(const InterruptHandler&) = delete;
-  InterruptHandler& operator=(const InterruptHandler&) = delete;
-
- private:
-  struct sigaction old_int_ {};
-  struct sigaction old_term_ {};
-};
 
 double ChildrenCpuSeconds() {
   rusage usage{};
@@ -149,7 +122,7 @@ RunResult RunExperiment(const EvolveCommand& command,
   EvolveOptions options;
   options.jobs = command.jobs.value_or(0);
   const InterruptHandler handler;
-  options.should_stop = [] { return interrupted != 0; };
+  options.should_stop = [] { return InterruptHandler::is_interrupted(); };
   options.on_progress = [&](const Progress& progress) {
     effort.workers = progress.workers;
     if (!command.quiet) line.Show(progress);

@@ -3,10 +3,15 @@
 #include <filesystem>
 #include <ostream>
 
+#include "compiler/print.h"
 #include "runtime/cli/commands.h"
+#include "runtime/cli/interrupt.h"
 #include "runtime/cli/load_yaml.h"
 #include "runtime/cli/program.h"
+#include "runtime/cli/simulation_watch.h"
 #include "runtime/evaluation.h"
+#include "runtime/formats/path_svg.h"
+#include "runtime/formats/recording_json.h"
 #include "runtime/formats/season_json.h"
 #include "runtime/formats/trajectory_csv.h"
 
@@ -70,10 +75,19 @@ void PrintChange(const SeasonResult& result, const Scenario& scenario,
   out << fmt::format("  {}{}: {}\n", what, when, result.change_reason);
 }
 
-std::vector<NamedValue> DescriptorsOf(const SeasonResult& result) {
-  std::vector<NamedValue> all = List(result.behaviour);
-  for (const NamedValue& value : List(result.body)) all.push_back(value);
-  for (const NamedValue& value : List(result.brain)) all.push_back(value);
+// A dash where there is nothing to describe: 0 would be a lie.
+std::vector<std::pair<std::string_view, std::string>> DescriptorsOf(
+    const SeasonResult& result) {
+  std::vector<std::pair<std::string_view, std::string>> all;
+  const auto add = [&](const std::vector<NamedValue>& values, bool is_known) {
+    for (const NamedValue& value : values)
+      all.emplace_back(value.name,
+                       is_known ? fmt::format("{:.6g}", value.value) : "-");
+  };
+  const bool has_robot = result.body.absolute_size > 0;
+  add(List(result.behaviour), result.behaviour.is_valid);
+  add(List(result.body), has_robot);
+  add(List(result.brain), has_robot);
   return all;
 }
 
@@ -81,31 +95,94 @@ std::vector<NamedValue> DescriptorsOf(const SeasonResult& result) {
 void PrintDescriptors(const std::vector<SeasonResult>& results,
                       std::ostream& out) {
   out << fmt::format("\n{:<28}", "descriptor");
-  std::vector<std::vector<NamedValue>> columns;
+  std::vector<decltype(DescriptorsOf(results.front()))> columns;
   for (const SeasonResult& result : results) {
     out << fmt::format(" {:>12}", result.season);
     columns.push_back(DescriptorsOf(result));
   }
   out << '\n';
   for (std::size_t row = 0; row < columns.front().size(); ++row) {
-    out << fmt::format("{:<28}", columns.front()[row].name);
+    out << fmt::format("{:<28}", columns.front()[row].first);
     for (const auto& column : columns)
-      out << fmt::format(" {:>12.6g}", column[row].value);
+      out << fmt::format(" {:>12}", column[row].second);
     out << '\n';
   }
 }
 
-bool WriteInto(const std::string& folder, const std::string& name,
-               const std::string& text, Io& io) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  const std::string path = (std::filesystem::path(folder) / name).string();
+bool Write(const std::string& path, const std::string& text, Io& io) {
   const auto failure = WriteFile(path, text);
   if (failure)
     io.err << fmt::format("error: cannot write '{}': {}\n", path, *failure);
   else
     io.err << fmt::format("wrote {}\n", path);
   return !failure;
+}
+
+bool WriteInto(const std::string& folder, const std::string& name,
+               const std::string& text, Io& io) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  return Write((std::filesystem::path(folder) / name).string(), text, io);
+}
+
+// Told before hours of simulation, not after them.
+bool HasFolder(const std::string& path, Io& io) {
+  if (path.empty()) return true;
+  const std::filesystem::path folder =
+      std::filesystem::path(path).parent_path();
+  std::error_code error;
+  const char* problem = nullptr;
+  if (!folder.empty() && !std::filesystem::is_directory(folder, error))
+    problem = "its folder does not exist";
+  else if (std::filesystem::is_directory(path, error))
+    problem = "it is a folder";
+  if (problem != nullptr)
+    io.err << fmt::format("error: cannot write '{}': {}\n", path, problem);
+  return problem == nullptr;
+}
+
+// Everything that a run of the command leaves behind.
+struct Record {
+  std::vector<SeasonResult> results;
+  Recording recording;
+  bool is_written = true;  // so far
+};
+
+void PrintSeason(const SimulateCommand& command, const SeasonLife& life,
+                 const Scenario& scenario, const std::string& name,
+                 Record& record, Io& io) {
+  if (command.format == OutputFormat::kText) {
+    PrintRow(life.result, io.out);
+    PrintChange(life.result, scenario, io.out);
+  } else {
+    io.out << SeasonJson(name, life.result) << '\n';
+  }
+  io.out.flush();  // a season takes a while; show each when it is done
+  const std::string& folder = command.trajectory_folder;
+  if (!folder.empty() && !WriteInto(folder, life.result.season + ".csv",
+                                    TrajectoryCsv(life.trajectory), io))
+    record.is_written = false;
+  record.results.push_back(life.result);
+}
+
+Record LiveAll(const SimulateCommand& command, const Genotype& genotype,
+               const Scenario& scenario, Io& io) {
+  const bool is_recording = !command.record.empty() || !command.svg.empty();
+  SimulationWatch watch(scenario, io.err_is_terminal ? &io.err : nullptr,
+                        is_recording);
+  Record record;
+  record.recording = {
+      genotype.name, Print(genotype), PrintScenario(scenario), {}};
+  for (Life lives(genotype, scenario, &watch); !lives.is_over();) {
+    const SeasonLife life = lives.Next();
+    Motion motion = watch.FinishSeason();
+    if (is_recording)
+      record.recording.seasons.push_back(RecordSeason(
+          scenario.seasons[record.results.size()], life, std::move(motion)));
+    PrintSeason(command, life, scenario, genotype.name, record, io);
+    if (!record.is_written || InterruptHandler::is_interrupted()) break;
+  }
+  return record;
 }
 
 }  // namespace
@@ -120,7 +197,9 @@ Exit Run(const SimulateCommand& command, Io& io) {
     return Exit::kBadInput;
   }
   const auto scenario = LoadScenario(command.scenario, io);
-  if (!scenario || !CanSense(*scenario, genotype, io)) return Exit::kBadInput;
+  if (!scenario || !CanSense(*scenario, genotype, io) ||
+      !HasFolder(command.record, io) || !HasFolder(command.svg, io))
+    return Exit::kBadInput;
 
   if (command.format == OutputFormat::kText) {
     io.out << fmt::format(
@@ -134,24 +213,17 @@ Exit Run(const SimulateCommand& command, Io& io) {
   if (!folder.empty() &&
       !WriteInto(folder, "scenario.yaml", PrintScenario(*scenario), io))
     return Exit::kBadInput;
-  std::vector<SeasonResult> results;
-  for (Life lives(genotype, *scenario); !lives.is_over();) {
-    const SeasonLife life = lives.Next();
-    if (command.format == OutputFormat::kText) {
-      PrintRow(life.result, io.out);
-      PrintChange(life.result, *scenario, io.out);
-    } else {
-      io.out << SeasonJson(genotype.name, life.result) << '\n';
-    }
-    io.out.flush();  // a season takes a while; show each when it is done
-    if (!folder.empty() && !WriteInto(folder, life.result.season + ".csv",
-                                      TrajectoryCsv(life.trajectory), io))
-      return Exit::kBadInput;
-    results.push_back(life.result);
-  }
+  const InterruptHandler handler;
+  const Record record = LiveAll(command, genotype, *scenario, io);
   if (command.descriptors && command.format == OutputFormat::kText)
-    PrintDescriptors(results, io.out);
-  return Exit::kFine;
+    PrintDescriptors(record.results, io.out);
+  bool is_written = record.is_written;
+  if (!command.record.empty())
+    is_written &= Write(command.record, RecordingJson(record.recording), io);
+  if (!command.svg.empty())
+    is_written &= Write(command.svg, PathSvg(record.recording), io);
+  if (!is_written) return Exit::kBadInput;
+  return InterruptHandler::is_interrupted() ? Exit::kInterrupted : Exit::kFine;
 }
 
 }  // namespace plsc::cli

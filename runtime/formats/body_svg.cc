@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <iterator>
 
+#include "runtime/formats/svg_style.h"
+
 namespace plsc {
 
 namespace {
@@ -36,40 +38,6 @@ Extent ExtentOf(const Body& body) {
   return extent;
 }
 
-// The authors' colours, a little lighter so that the number can be read.
-const char* Colour(ModuleType type) {
-  switch (type) {
-    case ModuleType::kCore:
-      return "#ffe135";
-    case ModuleType::kBrick:
-      return "#5b8ff9";
-    case ModuleType::kVerticalJoint:
-      return "#d7263d";
-    case ModuleType::kHorizontalJoint:
-      return "#ff9f9f";
-    case ModuleType::kTouchSensor:
-      return "#2ca02c";
-  }
-  return "#000000";
-}
-
-std::string Escape(const std::string& text) {
-  std::string escaped;
-  for (const char c : text) {
-    if (c == '&')
-      escaped += "&amp;";
-    else if (c == '<')
-      escaped += "&lt;";
-    else if (c == '>')
-      escaped += "&gt;";
-    else if (c == '"')
-      escaped += "&quot;";
-    else if (static_cast<unsigned char>(c) >= ' ')
-      escaped += c;
-  }
-  return escaped;
-}
-
 struct Point {
   int x = 0;
   int y = 0;
@@ -97,7 +65,7 @@ void DrawModule(const Module& module, Point centre, std::string& svg) {
                  R"(stroke="#000" stroke-width="2"/>)"
                  "\n",
                  centre.x - kCell / 2, centre.y - kCell / 2, kCell, kCell,
-                 Colour(module.type));
+                 ModuleColour(module.type));
   fmt::format_to(out,
                  R"(<text x="{}" y="{}" class="name">{}</text>)"
                  R"(<text x="{}" y="{}" class="id">{}</text>)"
@@ -126,7 +94,7 @@ void DrawSensor(Point parent, Facing side, std::string& svg) {
                  R"(stroke="#000"/>)"
                  "\n",
                  centre.x - width / 2, centre.y - height / 2, width, height,
-                 Colour(ModuleType::kTouchSensor));
+                 ModuleColour(ModuleType::kTouchSensor));
 }
 
 }  // namespace
@@ -156,7 +124,7 @@ std::string BodySvg(const Body& body, const std::string& title) {
       "\n"
       R"(<text x="{3}" y="28" class="title">{2}</text>)"
       "\n",
-      width, height, Escape(title), width / 2);
+      width, height, EscapeXml(title), width / 2);
   // Dots lie on borders and sensors inside cells, so squares come first.
   for (const Module& module : body.modules)
     if (module.type != ModuleType::kTouchSensor)

@@ -41,8 +41,12 @@ std::string SeasonJson(const std::string& genotype,
   json["reason"] = result.reason;
   json["fitness"] = result.fitness ? Json(*result.fitness) : Json(nullptr);
   json["behaviour"] = BehaviourJson(result.behaviour);
-  json["body_descriptors"] = DescriptorsJson(List(result.body));
-  json["brain_descriptors"] = DescriptorsJson(List(result.brain));
+  // A body has a core at least; zeros would pass for a robot's.
+  const bool has_robot = result.body.absolute_size > 0;
+  json["body_descriptors"] =
+      has_robot ? DescriptorsJson(List(result.body)) : Json(nullptr);
+  json["brain_descriptors"] =
+      has_robot ? DescriptorsJson(List(result.brain)) : Json(nullptr);
   json["steps"] = result.steps;
   json["solver_warnings"] = result.solver_warnings;
   json["state_hash"] = fmt::format("{:016x}", result.state_hash);

@@ -12,8 +12,9 @@ namespace plsc {
 /// profile, begin (s since birth), sensed (by state: value, from "imu" or
 /// "season"), inclination (rad or null), change ("born", "none", "brain",
 /// "body"), change_reason, outcome, reason, fitness (m/s or null), behaviour
-/// (or null), body_descriptors, brain_descriptors, steps, solver_warnings,
-/// state_hash (16 hexadecimal digits). A line without its end.
+/// (or null), body_descriptors, brain_descriptors (null without a robot),
+/// steps, solver_warnings, state_hash (16 hexadecimal digits). A line without
+/// its end.
 std::string SeasonJson(const std::string& genotype, const SeasonResult& result);
 
 }  // namespace plsc

@@ -15,6 +15,7 @@ TEST_CASE("Outcomes have the names that results use", "[outcome]") {
   CHECK(OutcomeName(Outcome::kOutOfSteps) == "out_of_steps");
   CHECK(OutcomeName(Outcome::kTooLarge) == "too_large");
   CHECK(OutcomeName(Outcome::kNotReached) == "not_reached");
+  CHECK(OutcomeName(Outcome::kStopped) == "stopped");
 }
 
 }  // namespace

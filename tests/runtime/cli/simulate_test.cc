@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "runtime/formats/recording_json.h"
 #include "tests/runtime/cli/run_plsc.h"
 
 namespace plsc {
@@ -84,6 +85,102 @@ TEST_CASE("simulate writes the samples of each season", "[simulate]") {
   CHECK(test::ReadFile(folder.path() / "samples" / "scenario.yaml")
             .find("profile: paper\n") != std::string::npos);
   CHECK(std::count(csv.begin(), csv.end(), '\n') == 6);  // 0, 0.5 ... 2 s
+}
+
+TEST_CASE("simulate records lives and draws them", "[simulate]") {
+  const test::TemporaryFolder folder;
+  const std::string scenario = folder.Write("s.yaml", kShort);
+  const auto run = [&] {
+    return RunPlsc({"simulate", "-", "--scenario", scenario, "--record",
+                    folder / "r.json", "--svg", folder / "r.svg"},
+                   test::kPlasticText);
+  };
+  const auto ran = run();
+  REQUIRE(ran.exit == 0);
+  CHECK(folder.Files() ==
+        std::vector<std::string>{"r.json", "r.svg", "s.yaml"});
+  const std::string text = test::ReadFile(folder / "r.json");
+  const auto recording = ParseRecording(Source("r.json", text));
+  REQUIRE(recording);
+  REQUIRE(recording->seasons.size() == 2);
+  CHECK(recording->seasons[0].name == "flat");
+  CHECK(recording->seasons[0].motion.samples() == 51);
+  CHECK(recording->seasons[1].change == Change::kBody);
+  CHECK(recording->seasons[1].body.joints.size() == 1);
+  CHECK(recording->seasons[1].motion.samples() == 101);
+  CHECK(recording->scenario.find("name: short") != std::string::npos);
+  CHECK(test::ReadFile(folder / "r.svg").find(">hill</text>") !=
+        std::string::npos);
+  // The table is the same as without; files are replaced by the same bits.
+  CHECK(ran.out ==
+        RunPlsc({"simulate", "-", "--scenario", scenario}, test::kPlasticText)
+            .out);
+  REQUIRE(run().exit == 0);
+  CHECK(test::ReadFile(folder / "r.json") == text);
+}
+
+TEST_CASE("simulate says before it begins that it cannot write", "[simulate]") {
+  const test::TemporaryFolder folder;
+  for (const char* option : {"--record", "--svg"}) {
+    for (const std::string& path :
+         {folder / "none/r.json", folder.path().string()}) {
+      const auto ran =
+          RunPlsc({"simulate", "-", option, path}, test::kPlasticText);
+      CHECK(ran.exit == 1);
+      CHECK(ran.out.empty());
+      CHECK(ran.err.find("cannot write '" + path) != std::string::npos);
+    }
+  }
+  CHECK(folder.Files().empty());
+}
+
+TEST_CASE("simulate has the descriptors that develop has", "[simulate]") {
+  const test::TemporaryFolder folder;
+  const std::string scenario = folder.Write("s.yaml", kShort);
+  std::istringstream lines(
+      RunPlsc({"simulate", InRepository("examples/spider.pls"), "--scenario",
+               scenario, "--format", "json"})
+          .out);
+  const json developed =
+      json::parse(RunPlsc({"develop", InRepository("examples/spider.pls"),
+                           "--format", "json"})
+                      .out);
+  int seasons = 0;
+  for (std::string line; std::getline(lines, line); ++seasons) {
+    const json season = json::parse(line);
+    for (const char* key : {"body_descriptors", "brain_descriptors"}) {
+      CHECK(season[key] == developed[key]);
+      CHECK(season[key].size() > 10);
+    }
+    for (const char* name :
+         {"velocity", "displacement_velocity", "displacement_velocity_hill",
+          "head_balance", "contacts"})
+      CHECK(season["behaviour"][name].is_number());
+  }
+  CHECK(seasons == 2);
+}
+
+TEST_CASE("simulate describes nothing that was not there", "[simulate]") {
+  const test::TemporaryFolder folder;
+  const std::string yaml =
+      "lives: continuous\nseasons:\n"
+      "  - {name: fast, duration: 1 s, physics: {max_speed: 0.0001 m/s}}\n"
+      "  - {name: never, duration: 1 s}\n";
+  const auto ran = RunPlsc({"simulate", "-", "--descriptors", "--scenario",
+                            folder.Write("s.yaml", yaml)},
+                           test::kPlasticText);
+  INFO(ran.out);
+  CHECK(ran.exit == 0);
+  const auto row = [&](const std::string& name) {
+    const std::size_t at = ran.out.find("\n" + name + " ") + 1;
+    std::istringstream words(ran.out.substr(at + name.size()));
+    std::pair<std::string, std::string> values;
+    words >> values.first >> values.second;
+    return values;
+  };
+  CHECK(row("head_balance") == std::pair<std::string, std::string>("-", "-"));
+  CHECK(row("absolute_size").first != "-");
+  CHECK(row("absolute_size").second == "-");
 }
 
 TEST_CASE("simulate tells when and why a robot changed, or its life ended",

@@ -16,6 +16,9 @@ TEST_CASE("a season that was not lived has no behaviour and no fitness",
   CHECK(json["outcome"] == "overlapping");
   CHECK(json["fitness"].is_null());
   CHECK(json["behaviour"].is_null());
+  // Without a robot there is nothing to describe.
+  CHECK(json["body_descriptors"].is_null());
+  CHECK(json["brain_descriptors"].is_null());
 }
 
 TEST_CASE("a season tells what was sensed and what changed", "[season_json]") {

@@ -1,0 +1,29 @@
+#include "runtime/cli/interrupt.h"
+
+namespace plsc::cli {
+
+namespace {
+
+volatile std::sig_atomic_t interrupted = 0;
+
+}  // namespace
+
+InterruptHandler::InterruptHandler() {
+  interrupted = 0;
+  struct sigaction action {};
+  action.sa_handler = [](int) { interrupted = 1; };
+  action.sa_flags = static_cast<int>(SA_RESETHAND);
+  ::sigaction(SIGINT, &action, &old_int_);
+  ::sigaction(SIGTERM, &action, &old_term_);
+}
+
+InterruptHandler::~InterruptHandler() {
+  ::sigaction(SIGINT, &old_int_, nullptr);
+  ::sigaction(SIGTERM, &old_term_, nullptr);
+}
+
+bool InterruptHandler::is_interrupted() {
+  return interrupted != 0;
+}
+
+}  // namespace plsc::cli

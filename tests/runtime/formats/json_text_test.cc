@@ -1,0 +1,33 @@
+#include "runtime/formats/json_text.h"
+
+#include <catch2/catch.hpp>
+
+namespace plsc {
+namespace {
+
+// golden_parse_test.cc has more of them, at their places in a file.
+TEST_CASE("only one JSON value without repeated keys is read", "[json_text]") {
+  struct Row {
+    const char* why;
+    const char* text;
+    const char* code;
+  };
+  const std::vector<Row> rows = {
+      {"an object", R"({"a": {"b": 1}, "b": 2})", ""},
+      {"empty", "", "P5013"},
+      {"no JSON", "{a: 1}", "P5100"},
+      {"two values", "{} {}", "P5100"},
+      {"a number beyond doubles", R"({"a": 1e999})", "P5100"},
+      {"a key twice", R"({"a": 1, "a": 2})", "P5102"},
+      {"no UTF-8", "{\"a\": \"\xff\"}", "P5011"},
+  };
+  for (const Row& row : rows) {
+    DYNAMIC_SECTION(row.why) {
+      const auto json = ReadJson(Source("t.json", row.text));
+      CHECK((json ? "" : json.diagnostics()[0].code) == row.code);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace plsc
