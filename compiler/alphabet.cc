@@ -1,7 +1,9 @@
 #include "compiler/alphabet.h"
 
 #include <algorithm>
+#include <bit>
 #include <cassert>
+#include <functional>
 #include <utility>
 
 namespace plsc {
@@ -128,18 +130,41 @@ bool SameSymbol(const SymbolInfo& a, const SymbolInfo& b) {
                     b.parameters.begin(), b.parameters.end(), SameParameter);
 }
 
+// Of a hash table with open addressing; `slots` is a power of two.
+std::size_t FirstSlot(std::string_view name, std::size_t slots) {
+  if (name.empty()) return 0;
+  // Four bytes and no loop: std::hash took as long as the rest of Find. They
+  // tell the names of plasticoding apart; equal ones cost a comparison more.
+  const auto byte = [&](std::size_t i) -> std::size_t {
+    return static_cast<unsigned char>(name[i]);
+  };
+  const std::size_t size = name.size();
+  const std::size_t mixed = byte(0) + 7 * byte(size / 2) + 31 * byte(size - 1) +
+                            127 * byte(size / 3) + size;
+  return mixed & (slots - 1);
+}
+
 }  // namespace
 
 Alphabet::Alphabet(std::string name, int version,
                    std::vector<SymbolInfo> symbols)
     : name_(std::move(name)), version_(version), symbols_(std::move(symbols)) {
-  for ([[maybe_unused]] const SymbolInfo& symbol : symbols_)
-    assert(symbol.parameters.size() <= kMaxParameters);
+  // A quarter full at most: nearly every name is found at its first slot, and
+  // there is always an empty one to stop at.
+  slots_.resize(std::bit_ceil(4 * symbols_.size() + 1));
+  for (std::uint32_t i = 0; i < symbols_.size(); ++i) {
+    assert(symbols_[i].parameters.size() <= kMaxParameters);
+    std::size_t slot = FirstSlot(symbols_[i].name, slots_.size());
+    while (slots_[slot] != 0) slot = (slot + 1) & (slots_.size() - 1);
+    slots_[slot] = i + 1;
+  }
 }
 
 std::optional<SymbolId> Alphabet::Find(std::string_view name) const {
-  for (std::size_t i = 0; i < symbols_.size(); ++i)
-    if (symbols_[i].name == name) return static_cast<SymbolId>(i);
+  std::size_t slot = FirstSlot(name, slots_.size());
+  for (; slots_[slot] != 0; slot = (slot + 1) & (slots_.size() - 1))
+    if (symbols_[slots_[slot] - 1].name == name)
+      return static_cast<SymbolId>(slots_[slot] - 1);
   return std::nullopt;
 }
 

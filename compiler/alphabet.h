@@ -81,6 +81,9 @@ class Alphabet {
   std::string name_;
   int version_;
   std::vector<SymbolInfo> symbols_;
+  // Find's hash table: index + 1 of the symbol, 0 for an empty slot. Every
+  // symbol of every production is looked up.
+  std::vector<std::uint32_t> slots_;
 };
 
 using AlphabetPtr = std::shared_ptr<const Alphabet>;

@@ -96,7 +96,7 @@ class Mender {
 
  private:
   MendedText Compiled(std::string text, std::vector<MadeFix> made) const {
-    const Result<Program> result = Compile(Source(name_, text), options_);
+    const auto result = CompileAll(Source(name_, text), options_);
     return {std::move(text), std::move(made), result.diagnostics()};
   }
 

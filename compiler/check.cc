@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "compiler/check_symbols.h"
+#include "compiler/check_tests.h"
 #include "compiler/limits.h"
 #include "compiler/lower.h"
 #include "compiler/print.h"
@@ -182,6 +183,10 @@ std::vector<Diagnostic> Check(const ast::File& file, const Scope& scope,
       EnvironmentChecker(file, scope, resolution).Check();
   std::move(environments.begin(), environments.end(),
             std::back_inserter(diagnostics));
+  if (!file.tests.empty()) {
+    std::vector<Diagnostic> tests = CheckTests(file, scope, resolution);
+    std::move(tests.begin(), tests.end(), std::back_inserter(diagnostics));
+  }
   return diagnostics;
 }
 

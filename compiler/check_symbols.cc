@@ -47,6 +47,14 @@ class SymbolChecker {
       }
       if (alphabet_.is_built_in()) CheckCore(rule, resolution_.heads[i]);
     }
+    for (const ast::Test& test : file_.tests) {
+      for (std::uint32_t k = 0; k < test.symbols.count && !is_full(); ++k) {
+        const ast::Symbol& symbol = file_.symbols[test.symbols.first + k];
+        const auto id = resolution_.symbols[test.symbols.first + k];
+        // Arguments that are left out will be whatever they are.
+        if (id && symbol.has_parens) CheckArguments(symbol, *id);
+      }
+    }
     return std::move(diagnostics_);
   }
 

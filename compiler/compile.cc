@@ -1,14 +1,21 @@
 #include "compiler/compile.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cassert>
 #include <iterator>
+#include <optional>
+#include <string_view>
+#include <unordered_map>
 #include <utility>
 
 #include "compiler/check.h"
+#include "compiler/limits.h"
 #include "compiler/lower.h"
 #include "compiler/resolve.h"
 #include "compiler/scope.h"
+#include "compiler/sections.h"
 #include "compiler/suppress.h"
 #include "compiler/verify.h"
 #include "grammar/parse.h"
@@ -29,56 +36,148 @@ bool HasErrors(const Diagnostics& diagnostics) {
       [](const Diagnostic& d) { return d.severity == Severity::kError; });
 }
 
-void SortByPosition(Diagnostics* diagnostics) {
-  std::stable_sort(diagnostics->begin(), diagnostics->end(),
-                   [](const Diagnostic& a, const Diagnostic& b) {
-                     return a.span.begin < b.span.begin;
-                   });
+// What compiles passes Verify. Tests and fuzzers ask Verify themselves, in
+// every build; here it is asked only in builds that check the standard library
+// too (debug, sanitize), because it is a pass over all of the IR, a tenth of
+// compiling, to find defects of ours that the stages before have ruled out.
+void AssertVerified([[maybe_unused]] const Program& program,
+                    [[maybe_unused]] const CompileOptions& options) {
+#ifdef _GLIBCXX_ASSERTIONS
+  assert(options.allow_out_of_range || Verify(program).empty());
+#endif
 }
 
-// Fills `map` when there is one: most callers never look at places.
-Result<Program> CompileInto(const Source& source, const CompileOptions& options,
-                            SourceMap* map) {
+// One section, or the file as a whole. Fills `map` when there is one: most
+// callers never look at places. Nothing when there are errors.
+std::optional<Program> CompileSection(const ast::File& file,
+                                      const CompileOptions& options,
+                                      SourceMap* map,
+                                      Diagnostics* diagnostics) {
+  Scope scope = Declare(file);
+  Resolution resolution = Resolve(file, scope);
+  Diagnostics found = std::move(scope.diagnostics);
+  Append(std::move(resolution.diagnostics), &found);
+  Append(Check(file, scope, resolution, options), &found);
+  const bool is_broken = HasErrors(found) || HasErrors(*diagnostics);
+  Append(std::move(found), diagnostics);
+  if (is_broken) return std::nullopt;
+
+  Append(CheckClauses(file, scope, resolution), diagnostics);
+  Program program = Lower(file, scope, resolution);
+  AssertVerified(program, options);
+  if (map != nullptr) *map = MapSource(file, resolution);
+  return program;
+}
+
+// A name is how FILE#NAME chooses a genotype.
+void CheckNames(const ast::File& file, Diagnostics* diagnostics) {
+  std::unordered_map<std::string_view, Span> names;
+  for (const ast::Naming& genotype : file.genotypes) {
+    const auto [first, is_new] =
+        names.emplace(file.Text(genotype.name), genotype.name);
+    if (is_new || diagnostics->size() >= kMaxReported) continue;
+    Diagnostic diagnostic;
+    diagnostic.code = "P2017";
+    diagnostic.span = genotype.name;
+    diagnostic.message =
+        fmt::format("genotype '{}' is declared twice", first->first);
+    diagnostic.others.push_back({first->second, "first declared here"});
+    diagnostics->push_back(std::move(diagnostic));
+  }
+}
+
+// Calls `take` with the program and the map of each genotype. The diagnostics,
+// sorted; nothing was taken, or too little, when there are errors among them.
+template <typename Take>
+Diagnostics CompileEach(const Source& source, const CompileOptions& options,
+                        bool wants_map, Take take) {
   ParseResult parsed = Parse(source);
   Diagnostics diagnostics = std::move(parsed.diagnostics);
   const ast::File& file = parsed.file;
   // Nothing of the file was read (binary, empty, another version).
   if (file.is_incomplete && file.items.empty()) return diagnostics;
 
-  Scope scope = Declare(file);
-  Resolution resolution = Resolve(file, scope);
-  Append(std::move(scope.diagnostics), &diagnostics);
-  Append(std::move(resolution.diagnostics), &diagnostics);
-  Append(Check(file, scope, resolution, options), &diagnostics);
-  if (HasErrors(diagnostics)) {
-    SortByPosition(&diagnostics);
-    return diagnostics;
+  SourceMap map;
+  const auto compile = [&](const ast::File& section) {
+    auto program = CompileSection(section, options, wants_map ? &map : nullptr,
+                                  &diagnostics);
+    if (program) take(*std::move(program), std::move(map));
+  };
+  if (file.genotypes.size() > 1) {
+    CheckNames(file, &diagnostics);
+    for (const ast::File& section : SplitIntoSections(file)) {
+      if (diagnostics.size() >= kMaxReported) break;
+      compile(section);
+    }
+  } else {
+    compile(file);
   }
-
-  Append(CheckClauses(file, scope, resolution), &diagnostics);
+  // What belongs to several genotypes is found wrong in each.
+  SortAndDropRepeated(&diagnostics);
+  if (HasErrors(diagnostics)) return diagnostics;
   const Suppressions suppressions(file);
   diagnostics = suppressions.Keep(std::move(diagnostics));
   Append(suppressions.diagnostics(), &diagnostics);
-  SortByPosition(&diagnostics);
-  Program program = Lower(file, scope, resolution);
-  assert(options.allow_out_of_range || Verify(program).empty());
-  if (map != nullptr) *map = MapSource(file, resolution);
-  return {std::move(program), std::move(diagnostics)};
+  SortAndDropRepeated(&diagnostics);
+  return diagnostics;
+}
+
+}  // namespace
+
+Result<std::vector<Program>> CompileAll(const Source& source,
+                                        const CompileOptions& options) {
+  std::vector<Program> programs;
+  Diagnostics diagnostics = CompileEach(
+      source, options, false, [&](Program program, const SourceMap&) {
+        programs.push_back(std::move(program));
+      });
+  if (HasErrors(diagnostics)) return diagnostics;
+  return {std::move(programs), std::move(diagnostics)};
+}
+
+Result<std::vector<MappedProgram>> CompileAllWithMap(
+    const Source& source, const CompileOptions& options) {
+  std::vector<MappedProgram> programs;
+  Diagnostics diagnostics =
+      CompileEach(source, options, true, [&](Program program, SourceMap map) {
+        programs.push_back({std::move(program), std::move(map)});
+      });
+  if (HasErrors(diagnostics)) return diagnostics;
+  return {std::move(programs), std::move(diagnostics)};
+}
+
+Diagnostic SeveralGenotypes(const Source& source) {
+  const ast::File file = Parse(source).file;
+  assert(file.genotypes.size() > 1);
+  Diagnostic diagnostic;
+  diagnostic.code = "P2019";
+  diagnostic.span = file.genotypes[1].name;
+  diagnostic.message =
+      fmt::format("this file holds {} genotypes", file.genotypes.size());
+  diagnostic.label = "the second one";
+  diagnostic.help = fmt::format("choose one by its name, as in '{}#{}'",
+                                source.name(), file.Text(diagnostic.span));
+  return diagnostic;
+}
+
+namespace {
+
+template <typename T>
+Result<T> TheOnly(Result<std::vector<T>> all, const Source& source) {
+  if (!all) return all.diagnostics();
+  if (all->size() > 1) return Diagnostics{SeveralGenotypes(source)};
+  return {std::move(all->front()), all.diagnostics()};
 }
 
 }  // namespace
 
 Result<Program> Compile(const Source& source, const CompileOptions& options) {
-  return CompileInto(source, options, nullptr);
+  return TheOnly(CompileAll(source, options), source);
 }
 
 Result<MappedProgram> CompileWithMap(const Source& source,
                                      const CompileOptions& options) {
-  SourceMap map;
-  Result<Program> program = CompileInto(source, options, &map);
-  if (!program) return program.diagnostics();
-  return {MappedProgram{std::move(*program), std::move(map)},
-          program.diagnostics()};
+  return TheOnly(CompileAllWithMap(source, options), source);
 }
 
 }  // namespace plsc

@@ -36,22 +36,26 @@ Diagnostic Defect(std::string_view what) {
 }  // namespace
 
 Result<std::string> Format(const Source& source, const FormatOptions& options) {
-  const Result<Program> program = Compile(source, options.compile);
-  if (!program) return program.diagnostics();
-  const Alphabet& alphabet = *program->genotype.alphabet;
+  const Result<std::vector<Program>> programs =
+      CompileAll(source, options.compile);
+  if (!programs) return programs.diagnostics();
+  std::vector<AlphabetPtr> alphabets;
+  for (const Program& program : *programs)
+    alphabets.push_back(program.genotype.alphabet);
   const ParseResult parsed = Parse(source);
-  std::string text = Layout(parsed.file, alphabet, options.compact);
+  std::string text = Layout(parsed.file, alphabets, options.compact);
 
   const Source formatted(source.name(), text);
-  const Result<Program> again = Compile(formatted, options.compile);
-  if (!again || !(*again == *program))
+  const Result<std::vector<Program>> again =
+      CompileAll(formatted, options.compile);
+  if (!again || !(*again == *programs))
     return Defect("does not mean the same as the file");
   const ParseResult reparsed = Parse(formatted);
   if (SortedComments(reparsed.file) != SortedComments(parsed.file))
     return Defect("does not have the same comments");
-  if (Layout(reparsed.file, alphabet, options.compact) != text)
+  if (Layout(reparsed.file, alphabets, options.compact) != text)
     return Defect("would change when formatted again");
-  return {std::move(text), program.diagnostics()};
+  return {std::move(text), programs.diagnostics()};
 }
 
 }  // namespace plsc

@@ -122,6 +122,51 @@ ItemText EnvironmentText(const ast::File& file,
   return text;
 }
 
+std::string HeadOf(const ast::File& file, const ast::Test& test) {
+  std::string text = "test " + Name(file, test.name);
+  if (test.environment.end > 0) text += " in " + Name(file, test.environment);
+  if (test.has_after) text += " after " + Name(file, test.after.span);
+  return text + " -> ";
+}
+
+// A module a line, indented by its depth in the tree.
+ItemText BodyTestText(const ast::File& file, const ast::Test& test) {
+  ItemText text;
+  const auto nodes = ast::Slice(file.nodes, test.nodes);
+  const bool has_children = nodes[0].open.end > 0;
+  text.open = HeadOf(file, test) + "body " + Name(file, nodes[0].name) +
+              (has_children ? " {" : "");
+  std::vector<Span> open;  // braces that will close, the first's left out
+  const auto indent = [&] { return std::string(2 * open.size(), ' '); };
+  const auto close_to = [&](std::size_t depth) {
+    while (open.size() > depth) {
+      const Span brace = open.back();
+      open.pop_back();
+      text.elements.push_back({brace, indent() + "}"});
+    }
+  };
+  for (const ast::BodyNode& node : nodes.subspan(1)) {
+    close_to(node.depth - 1);
+    const bool is_parent = node.open.end > 0;
+    text.elements.push_back(
+        {{node.face.begin, is_parent ? node.open.end : node.name.end},
+         indent() + Name(file, node.face) + " " + Name(file, node.name) +
+             (is_parent ? " {" : "")});
+    if (is_parent) open.push_back(node.close);
+  }
+  close_to(0);
+  return text;
+}
+
+ItemText TestText(const ast::File& file, const ast::Test& test) {
+  if (test.nodes.count > 0) return BodyTestText(file, test);
+  ItemText text;
+  text.open = HeadOf(file, test) + "{";
+  for (const ast::Symbol& symbol : ast::Slice(file.symbols, test.symbols))
+    text.elements.push_back({symbol.span, SymbolText(file, symbol)});
+  return text;
+}
+
 std::string SenseText(const ast::File& file, const ast::Sense& sense) {
   std::string text = "sense " + Name(file, sense.name) + ": ";
   switch (sense.type) {
@@ -177,6 +222,10 @@ Span BracesOf(const ast::File& file, const ast::Item& item) {
       const ast::Environment& environment = file.environments[item.index];
       return {environment.open.begin, environment.close.end};
     }
+    case ast::ItemKind::kTest: {
+      const ast::Test& test = file.tests[item.index];
+      return {test.open.begin, test.close.end};
+    }
     default:
       return {};
   }
@@ -194,6 +243,9 @@ ItemText TextOf(const ast::File& file, const ast::Item& item,
       break;
     case ast::ItemKind::kEnvironment:
       text = EnvironmentText(file, file.environments[item.index], has_comments);
+      break;
+    case ast::ItemKind::kTest:
+      text = TestText(file, file.tests[item.index]);
       break;
     default:
       text.open = OneLineText(file, item);

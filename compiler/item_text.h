@@ -3,12 +3,17 @@
 // The text of items as Format writes them: canonical blanks, the spelling of
 // names and numbers kept, comments left out (compiler/layout.h places them).
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
 #include "grammar/ast.h"
 
 namespace plsc {
+
+/// Characters that a line may have where a list is written on one, as in this
+/// project's code.
+inline constexpr std::size_t kLineWidth = 80;
 
 /// Something that gets a line of its own between braces.
 struct ItemElement {

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <string_view>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "compiler/item_text.h"
@@ -12,12 +13,11 @@ namespace plsc {
 
 namespace {
 
-constexpr std::size_t kLineWidth = 80;  // characters, as this project's code
-
 // An item, or the version line, with the comments that belong to it.
 struct Part {
   const ast::Item* item = nullptr;  // null: the version line
   Span span;
+  std::size_t section = 0;        // genotypes that began before it or with it
   std::size_t first_comment = 0;  // of File::comments
   std::size_t end_comment = 0;
   bool is_blank_before = false;  // an empty line stands before it
@@ -25,8 +25,9 @@ struct Part {
 
 class Writer {
  public:
-  Writer(const ast::File& file, const Alphabet& alphabet, bool is_compact)
-      : file_(file), alphabet_(alphabet), is_compact_(is_compact) {}
+  Writer(const ast::File& file, std::span<const AlphabetPtr> alphabets,
+         bool is_compact)
+      : file_(file), alphabets_(alphabets), is_compact_(is_compact) {}
 
   std::string Write() {
     std::vector<Part> parts = SplitIntoParts();
@@ -66,9 +67,14 @@ class Writer {
   std::vector<Part> SplitIntoParts() {
     std::vector<Part> parts;
     parts.reserve(file_.items.size() + 1);
-    parts.push_back({nullptr, file_.version, 0, 0, false});
-    for (const ast::Item& item : file_.items)
-      parts.push_back({&item, item.span, 0, 0, false});
+    parts.push_back({nullptr, file_.version, 0, 0, 0, false});
+    // A genotype's name may stand anywhere in a file of one.
+    const bool has_sections = file_.genotypes.size() > 1;
+    std::size_t section = 0;
+    for (const ast::Item& item : file_.items) {
+      if (has_sections && item.kind == ast::ItemKind::kGenotype) ++section;
+      parts.push_back({&item, item.span, section, 0, 0, false});
+    }
     std::size_t next = 0;
     std::uint32_t last_end = 0;
     for (std::size_t i = 0; i < parts.size(); ++i) {
@@ -94,9 +100,15 @@ class Writer {
     return parts;
   }
 
-  // Place among the items: Print's order, `let` before what may use it.
-  using Rank = std::tuple<int, int>;
+  // Place in the file: sections stay where they are, and in each Print's
+  // order, `let` before what may use it.
+  using Rank = std::tuple<std::size_t, int, int>;
   Rank RankOf(const Part& part) const {
+    const auto [kind, place] = RankInSection(part);
+    return {part.section, kind, place};
+  }
+
+  std::pair<int, int> RankInSection(const Part& part) const {
     if (part.item == nullptr) return {0, 0};
     switch (part.item->kind) {
       case ast::ItemKind::kGenotype:
@@ -114,23 +126,31 @@ class Writer {
       case ast::ItemKind::kRule:
         return {7, HeadOf(part)};
       case ast::ItemKind::kEnvironment:
+        return {8, 0};
+      case ast::ItemKind::kTest:
         break;
     }
-    return {8, 0};
+    return {9, 0};
+  }
+
+  // What stands before the first genotype belongs to all of them.
+  const Alphabet& AlphabetOf(const Part& part) const {
+    return *alphabets_[part.section == 0 ? 0 : part.section - 1];
   }
 
   int HeadOf(const Part& part) const {
     const Span head = file_.rules[part.item->index].head;
-    return static_cast<int>(alphabet_.Find(file_.Text(head)).value());
+    return static_cast<int>(AlphabetOf(part).Find(file_.Text(head)).value());
   }
 
   bool WantsBlank(const Part& last, const Part& part) const {
-    const int section = std::get<0>(RankOf(part));
-    const int last_section = std::get<0>(RankOf(last));
-    const bool is_first_of_section =
-        last_section == 0 || (section >= 7 && last_section != section);
-    if (is_first_of_section) return true;
-    if (section != 7) return part.is_blank_before;
+    const int kind = RankInSection(part).first;
+    const int last_kind = RankInSection(last).first;
+    const bool is_first_of_kind =
+        last_kind == 0 || (kind >= 7 && last_kind != kind);
+    if (is_first_of_kind || part.section != last.section) return true;
+    if (kind == 9) return !is_compact_ || part.is_blank_before;
+    if (kind != 7) return part.is_blank_before;
     if (!is_compact_) return true;
     return HeadOf(part) != HeadOf(last) ||
            HasComment(part.first_comment, BracesOf(file_, *part.item).begin);
@@ -201,7 +221,10 @@ class Writer {
   std::size_t WriteElements(const Part& part, const ItemText& item,
                             std::size_t next, bool has_inner) {
     const bool is_rule = part.item->kind == ast::ItemKind::kRule;
-    if (is_compact_ && is_rule && !has_inner && WriteOnOneLine(item))
+    const bool is_string = part.item->kind == ast::ItemKind::kTest &&
+                           file_.tests[part.item->index].nodes.count == 0;
+    if (((is_compact_ && is_rule) || is_string) && !has_inner &&
+        WriteOnOneLine(item))
       return next;
     const std::uint32_t close = item.braces.end - 1;
     const std::uint32_t first =
@@ -230,7 +253,7 @@ class Writer {
       next = WriteTrailing(next, element.span.end,
                            is_last ? close : item.elements[i + 1].span.begin);
       const bool may_go_on =
-          is_compact_ && is_rule && next == before && !EndsGroup(*part.item, i);
+          is_compact_ && is_rule && next == before && !EndsGroup(part, i);
       if (!may_go_on) end_line();
     }
     end_line();
@@ -251,12 +274,13 @@ class Writer {
 
   // In the paper's genotypes a group is a controller-moving, a controller-
   // changing and a mounting command, a module and a moving command.
-  bool EndsGroup(const ast::Item& item, std::size_t index) const {
-    const ast::Rule& rule = file_.rules[item.index];
+  bool EndsGroup(const Part& part, std::size_t index) const {
+    const ast::Rule& rule = file_.rules[part.item->index];
     const ast::Symbol& symbol = ast::Slice(file_.symbols, rule.symbols)[index];
-    const auto id = alphabet_.Find(file_.Text(symbol.name));
-    const SymbolInfo& info = alphabet_[id.value()];
-    if (!alphabet_.is_built_in()) return false;
+    const Alphabet& alphabet = AlphabetOf(part);
+    const auto id = alphabet.Find(file_.Text(symbol.name));
+    const SymbolInfo& info = alphabet[id.value()];
+    if (!alphabet.is_built_in()) return false;
     return info.category == Category::kMoving || id == plasticoding::kC;
   }
 
@@ -274,7 +298,7 @@ class Writer {
   }
 
   const ast::File& file_;
-  const Alphabet& alphabet_;
+  const std::span<const AlphabetPtr> alphabets_;  // of the genotypes
   const bool is_compact_;
   std::string text_;
   std::size_t tail_comment_ = 0;
@@ -283,9 +307,9 @@ class Writer {
 
 }  // namespace
 
-std::string Layout(const ast::File& file, const Alphabet& alphabet,
-                   bool is_compact) {
-  return Writer(file, alphabet, is_compact).Write();
+std::string Layout(const ast::File& file,
+                   std::span<const AlphabetPtr> alphabets, bool is_compact) {
+  return Writer(file, alphabets, is_compact).Write();
 }
 
 }  // namespace plsc

@@ -6,6 +6,7 @@
 // line; inside braces, likewise to the symbol. What stands in the middle of a
 // line's worth of text (between `iterations` and its number) moves before it.
 
+#include <span>
 #include <string>
 
 #include "compiler/alphabet.h"
@@ -13,8 +14,9 @@
 
 namespace plsc {
 
-/// `alphabet` is the one that the file declares.
-std::string Layout(const ast::File& file, const Alphabet& alphabet,
-                   bool is_compact);
+/// `alphabets` are those of the file's genotypes, in file order. Items do not
+/// move from one section (compiler/sections.h) to another.
+std::string Layout(const ast::File& file,
+                   std::span<const AlphabetPtr> alphabets, bool is_compact);
 
 }  // namespace plsc

@@ -3,17 +3,18 @@
 #include <algorithm>
 #include <cassert>
 #include <numeric>
+#include <string_view>
+#include <unordered_map>
 
 namespace plsc {
 
 namespace {
 
-std::vector<Symbol> LowerProduction(const ast::File& file,
-                                    const ast::Rule& rule,
-                                    const Resolution& resolution) {
-  std::vector<Symbol> production(rule.symbols.count);
-  for (std::uint32_t k = 0; k < rule.symbols.count; ++k) {
-    const std::uint32_t at = rule.symbols.first + k;
+std::vector<Symbol> LowerSymbols(const ast::File& file, ast::Range symbols,
+                                 const Resolution& resolution) {
+  std::vector<Symbol> production(symbols.count);
+  for (std::uint32_t k = 0; k < symbols.count; ++k) {
+    const std::uint32_t at = symbols.first + k;
     const ast::Range arguments = file.symbols[at].arguments;
     production[k].id = resolution.symbols[at].value();
     assert(arguments.count <= kMaxParameters);
@@ -38,12 +39,61 @@ NamedEnvironment LowerEnvironment(const ast::File& file, const Scope& scope,
   return environment;
 }
 
+std::vector<ExpectedSymbol> LowerExpectedString(const ast::File& file,
+                                                const Scope& scope,
+                                                const ast::Test& test,
+                                                const Resolution& resolution) {
+  std::vector<ExpectedSymbol> expected;
+  expected.reserve(test.symbols.count);
+  for (Symbol& symbol : LowerSymbols(file, test.symbols, resolution)) {
+    const auto at =
+        test.symbols.first + static_cast<std::uint32_t>(expected.size());
+    const bool takes_any =
+        !file.symbols[at].has_parens &&
+        !(*scope.header.alphabet)[symbol.id].parameters.empty();
+    expected.push_back({symbol, !takes_any});
+  }
+  return expected;
+}
+
+std::vector<ExpectedModule> LowerExpectedBody(const ast::File& file,
+                                              const ast::Test& test,
+                                              const Resolution& resolution) {
+  std::vector<ExpectedModule> expected;
+  expected.reserve(test.nodes.count);
+  for (std::uint32_t k = 0; k < test.nodes.count; ++k) {
+    const ResolvedNode& node = resolution.nodes[test.nodes.first + k];
+    const auto depth = static_cast<int>(file.nodes[test.nodes.first + k].depth);
+    expected.push_back({node.symbol.value(), depth,
+                        depth > 0 ? node.face.value() : Face::kFront});
+  }
+  return expected;
+}
+
+using PlacesByName = std::unordered_map<std::string_view, const Environment*>;
+
+InlineTest LowerTest(const ast::File& file, const Scope& scope,
+                     const ast::Test& test, const Resolution& resolution,
+                     const PlacesByName& places) {
+  InlineTest lowered;
+  lowered.name = file.Text(test.name);
+  if (test.environment.end > 0) {
+    lowered.place = file.Text(test.environment);
+    lowered.environment = *places.at(lowered.place);
+  }
+  if (test.has_after) lowered.after = static_cast<int>(test.after.number);
+  lowered.string = LowerExpectedString(file, scope, test, resolution);
+  lowered.body = LowerExpectedBody(file, test, resolution);
+  return lowered;
+}
+
 }  // namespace
 
 Clause LowerClause(const ast::File& file, const ast::Rule& rule,
                    const Resolution& resolution) {
   Clause clause;
   clause.terms.reserve(rule.terms.count);
+  clause.connectives.reserve(rule.terms.count);
   for (std::uint32_t k = 0; k < rule.terms.count; ++k) {
     const std::uint32_t at = rule.terms.first + k;
     clause.terms.push_back(resolution.terms[at].value());
@@ -72,13 +122,19 @@ Program Lower(const ast::File& file, const Scope& scope,
   program.genotype.rules.reserve(file.rules.size());
   for (const std::size_t index : RuleOrder(resolution)) {
     const ast::Rule& rule = file.rules[index];
-    program.genotype.rules.push_back({resolution.heads[index].value(),
-                                      LowerClause(file, rule, resolution),
-                                      LowerProduction(file, rule, resolution)});
+    program.genotype.rules.push_back(
+        {resolution.heads[index].value(), LowerClause(file, rule, resolution),
+         LowerSymbols(file, rule.symbols, resolution)});
   }
   for (const ast::Environment& environment : file.environments)
     program.environments.push_back(
         LowerEnvironment(file, scope, resolution, environment));
+  if (file.tests.empty()) return program;
+  PlacesByName places;
+  for (const NamedEnvironment& named : program.environments)
+    places.emplace(named.name, &named.environment);
+  for (const ast::Test& test : file.tests)
+    program.tests.push_back(LowerTest(file, scope, test, resolution, places));
   return program;
 }
 

@@ -5,6 +5,7 @@
 #include <charconv>
 #include <string_view>
 
+#include "compiler/item_text.h"
 #include "compiler/print_alphabet.h"
 
 namespace plsc {
@@ -154,6 +155,65 @@ void AppendEntries(const Environment& environment,
   }
 }
 
+// On the line that `text` ends in when that fits, else a symbol a line.
+void AppendExpectedString(const InlineTest& test, const Alphabet& alphabet,
+                          std::string* text) {
+  std::vector<std::string> symbols;
+  std::size_t width = text->size() - text->rfind('\n') - 1;
+  for (const ExpectedSymbol& expected : test.string) {
+    symbols.emplace_back();
+    if (expected.has_arguments)
+      AppendSymbol(expected.symbol, alphabet, &symbols.back());
+    else
+      symbols.back() = alphabet[expected.symbol.id].name;
+    width += 1 + symbols.back().size();
+  }
+  const bool is_one_line = width + 3 <= kLineWidth;  // "{", " }"
+  *text += is_one_line ? "{" : "{\n";
+  for (const std::string& symbol : symbols) {
+    *text += is_one_line ? " " : "  ";
+    *text += symbol;
+    if (!is_one_line) *text += '\n';
+  }
+  *text += is_one_line ? " }\n" : "}\n";
+}
+
+void AppendExpectedBody(const std::vector<ExpectedModule>& body,
+                        const Alphabet& alphabet, std::string* text) {
+  *text += "body ";
+  for (std::size_t i = 0; i < body.size(); ++i) {
+    const ExpectedModule& module = body[i];
+    const auto indent = 2 * static_cast<std::size_t>(module.depth);
+    text->append(indent, ' ');
+    if (module.depth > 0) {
+      *text += FaceName(module.face);
+      *text += ' ';
+    }
+    *text += alphabet[module.symbol].name;
+    const int next = i + 1 < body.size() ? body[i + 1].depth : 0;
+    *text += next > module.depth ? " {\n" : "\n";
+    for (int depth = module.depth; depth-- > next;) {
+      text->append(2 * static_cast<std::size_t>(depth), ' ');
+      *text += "}\n";
+    }
+  }
+}
+
+void AppendTest(const InlineTest& test, const Genotype& genotype,
+                std::string* text) {
+  *text += "\ntest " + test.name;
+  if (!test.place.empty()) *text += " in " + test.place;
+  if (test.after) {
+    *text += " after ";
+    AppendInt(*test.after, text);
+  }
+  *text += " -> ";
+  if (test.body.empty())
+    AppendExpectedString(test, *genotype.alphabet, text);
+  else
+    AppendExpectedBody(test.body, *genotype.alphabet, text);
+}
+
 }  // namespace
 
 std::string Print(const Genotype& genotype) {
@@ -173,6 +233,8 @@ std::string Print(const Program& program) {
     AppendEntries(named.environment, states, true, &text);
     text += states.empty() ? "}\n" : " }\n";
   }
+  for (const InlineTest& test : program.tests)
+    AppendTest(test, program.genotype, &text);
   return text;
 }
 
@@ -185,6 +247,24 @@ std::string PrintClause(const Clause& clause, const Genotype& genotype) {
 std::string PrintSymbol(const Symbol& symbol, const Alphabet& alphabet) {
   std::string text;
   AppendSymbol(symbol, alphabet, &text);
+  return text;
+}
+
+std::string PrintBody(const std::vector<ExpectedModule>& body,
+                      const Alphabet& alphabet) {
+  std::string text;
+  for (std::size_t i = 0; i < body.size(); ++i) {
+    const ExpectedModule& module = body[i];
+    if (module.depth > 0) {
+      text += ' ';
+      text += FaceName(module.face);
+      text += ' ';
+    }
+    text += alphabet[module.symbol].name;
+    const int next = i + 1 < body.size() ? body[i + 1].depth : 0;
+    if (next > module.depth) text += " {";
+    for (int depth = module.depth; depth > next; --depth) text += " }";
+  }
   return text;
 }
 

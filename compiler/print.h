@@ -17,6 +17,9 @@ std::string Print(const Genotype& genotype);
 /// `A1(0.5, 1.0, 2.0, 3.0)`.
 std::string PrintClause(const Clause& clause, const Genotype& genotype);
 std::string PrintSymbol(const Symbol& symbol, const Alphabet& alphabet);
+/// `C { front B }`: the body of an inline test on one line.
+std::string PrintBody(const std::vector<ExpectedModule>& body,
+                      const Alphabet& alphabet);
 /// `inclined=True,hot=False`: the form of `--env`.
 std::string PrintEnvironment(const Environment& environment,
                              const std::vector<State>& states);

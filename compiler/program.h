@@ -1,12 +1,14 @@
 #pragma once
 
-// What a genotype file means: the genotype and the environments that the file
-// names.
+// What a genotype file means: the genotype, the environments that the file
+// names, and what it expects of them. A file of several genotypes means
+// several programs (compiler/sections.h).
 
 #include <string>
 #include <vector>
 
 #include "compiler/genotype.h"
+#include "compiler/inline_test.h"
 
 namespace plsc {
 
@@ -22,6 +24,7 @@ struct NamedEnvironment {
 struct Program {
   Genotype genotype;
   std::vector<NamedEnvironment> environments;
+  std::vector<InlineTest> tests;
 
   friend bool operator==(const Program&, const Program&) = default;
 };

@@ -32,6 +32,7 @@ class Resolver {
     result_.arguments.resize(file.arguments.size());
     result_.terms.resize(file.terms.size());
     result_.entries.resize(file.entries.size());
+    result_.nodes.resize(file.nodes.size());
   }
 
   Resolution Resolve() {
@@ -42,6 +43,7 @@ class Resolver {
         const ast::Entry& entry = file_.entries[at];
         result_.entries[at] = ResolveTerm(entry.state, entry.value);
       }
+    for (const ast::Test& test : file_.tests) ResolveTest(test);
     return std::move(result_);
   }
 
@@ -85,13 +87,41 @@ class Resolver {
         resolved.reset();
       }
     }
-    for (std::uint32_t k = 0; k < rule.symbols.count; ++k) {
-      const std::uint32_t at = rule.symbols.first + k;
+    ResolveSymbols(rule.symbols);
+  }
+
+  void ResolveSymbols(ast::Range symbols) {
+    for (std::uint32_t k = 0; k < symbols.count; ++k) {
+      const std::uint32_t at = symbols.first + k;
       const ast::Symbol& symbol = file_.symbols[at];
       result_.symbols[at] = ResolveSymbol(symbol.name);
       for (std::uint32_t a = 0; a < symbol.arguments.count; ++a)
         ResolveArgument(symbol.arguments.first + a);
     }
+  }
+
+  void ResolveTest(const ast::Test& test) {
+    ResolveSymbols(test.symbols);
+    for (std::uint32_t k = 0; k < test.nodes.count; ++k) {
+      const std::uint32_t at = test.nodes.first + k;
+      const ast::BodyNode& node = file_.nodes[at];
+      result_.nodes[at].symbol = ResolveSymbol(node.name);
+      if (node.depth > 0) result_.nodes[at].face = ResolveFace(node.face);
+    }
+  }
+
+  std::optional<Face> ResolveFace(Span name) {
+    std::vector<std::string_view> names;
+    for (int i = 0; i < kFaces; ++i) {
+      const auto face = static_cast<Face>(i);
+      if (FaceName(face) == file_.Text(name)) return face;
+      names.push_back(FaceName(face));
+    }
+    Report("P2021", name,
+           fmt::format("a module has no face '{}'", file_.Text(name)),
+           fmt::format("faces are {}", fmt::join(names, ", ")));
+    SuggestAmong(names, name);
+    return std::nullopt;
   }
 
   static constexpr auto kEqual = ast::Comparison::kEqual;

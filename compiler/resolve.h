@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "compiler/inline_test.h"
 #include "compiler/scope.h"
 #include "grammar/ast.h"
 
@@ -22,12 +23,18 @@ struct ResolvedArgument {
 /// Environment. Nothing when either is unknown or they do not fit.
 using ResolvedTerm = std::optional<Term>;
 
+struct ResolvedNode {
+  std::optional<SymbolId> symbol;
+  std::optional<Face> face;  ///< nothing for the first module too
+};
+
 struct Resolution {
   std::vector<std::optional<SymbolId>> heads;    ///< of File::rules
   std::vector<std::optional<SymbolId>> symbols;  ///< of File::symbols
   std::vector<ResolvedArgument> arguments;       ///< of File::arguments
   std::vector<ResolvedTerm> terms;               ///< of File::terms
   std::vector<ResolvedTerm> entries;             ///< of File::entries
+  std::vector<ResolvedNode> nodes;               ///< of File::nodes
   std::vector<Diagnostic> diagnostics;
 };
 

@@ -66,8 +66,6 @@ class Declarer {
         Report("P2013", item.span, fmt::format("'{}' is given twice", word));
     diagnostic.label = "again here";
     diagnostic.others.push_back({*slot, "first here"});
-    if (item.kind == ast::ItemKind::kGenotype)
-      diagnostic.help = "a file holds one genotype";
     return false;
   }
 
@@ -75,8 +73,7 @@ class Declarer {
     using enum ast::ItemKind;
     switch (item.kind) {
       case kGenotype:
-        if (IsFirst(item, &genotype_))
-          scope_.header.name = file_.Text(file_.genotypes[item.index].name);
+        scope_.header.name = file_.Text(file_.genotypes[item.index].name);
         break;
       case kAlphabet:
         if (IsFirst(item, &alphabet_))
@@ -99,6 +96,7 @@ class Declarer {
       }
       case kRule:
       case kEnvironment:
+      case kTest:
         break;
     }
   }
@@ -306,7 +304,6 @@ class Declarer {
   const ast::File& file_;
   Scope scope_;
   // The first item of each kind; empty while there is none.
-  Span genotype_;
   Span alphabet_;
   Span axiom_;
   Span axiom_name_;

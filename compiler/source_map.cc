@@ -20,6 +20,17 @@ RuleSpans SpansOf(const ast::File& file, const ast::Rule& rule, Span item) {
   return spans;
 }
 
+TestSpans SpansOf(const ast::File& file, const ast::Test& test, Span item) {
+  TestSpans spans{item, test.name, test.close, {}, {}};
+  for (const ast::Symbol& symbol : ast::Slice(file.symbols, test.symbols))
+    spans.symbols.push_back(symbol.span);
+  for (const ast::BodyNode& node : ast::Slice(file.nodes, test.nodes)) {
+    const Span first = node.depth > 0 ? node.face : node.name;
+    spans.modules.push_back({first.begin, node.name.end});
+  }
+  return spans;
+}
+
 bool Covers(Span span, std::uint32_t offset) {
   return span.begin <= offset && offset < span.end;
 }
@@ -35,6 +46,14 @@ SourceMap MapSource(const ast::File& file, const Resolution& resolution) {
   for (const std::size_t index : RuleOrder(resolution))
     map.rules.push_back(SpansOf(file, file.rules[index], items[index]));
   if (!file.axioms.empty()) map.axiom = file.axioms.front().name;
+  map.version = file.version;
+  for (const ast::Setting& setting : file.settings)
+    if (setting.key == ast::SettingKey::kIterations)
+      map.iterations = setting.value.span;
+  if (!file.genotypes.empty()) map.genotype = file.genotypes.front().name;
+  for (const ast::Item& item : file.items)
+    if (item.kind == ast::ItemKind::kTest)
+      map.tests.push_back(SpansOf(file, file.tests[item.index], item.span));
   return map;
 }
 

@@ -22,8 +22,20 @@ struct RuleSpans {
   std::vector<Span> symbols;  ///< of Rule::production, with their arguments
 };
 
+struct TestSpans {
+  Span test;  ///< the whole item
+  Span name;
+  Span close;                 ///< '}'; empty of a body of one module
+  std::vector<Span> symbols;  ///< of InlineTest::string
+  std::vector<Span> modules;  ///< of InlineTest::body, with their faces
+};
+
 struct SourceMap {
+  Span genotype;                 ///< its name; empty when it is not written
   std::vector<RuleSpans> rules;  ///< of Genotype::rules
+  std::vector<TestSpans> tests;  ///< of Program::tests
+  Span version;                  ///< `plsc 1`
+  Span iterations;               ///< its number; empty when it is not written
   Span axiom;                    ///< the name; empty when it is not written
 };
 

@@ -1,6 +1,7 @@
 #include "compiler/truth.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cassert>
 
@@ -59,6 +60,44 @@ std::uint64_t Mask(std::size_t begin, std::size_t end) {
   const std::uint64_t below_end =
       end == 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << end) - 1;
   return below_end & (~std::uint64_t{0} << begin);
+}
+
+// Row i of a table over n bool states is bit i, and in row i state k is True
+// where bit k of i is set.
+constexpr std::array<std::uint64_t, 6> kTrueRows = {
+    0xAAAAAAAAAAAAAAAA, 0xCCCCCCCCCCCCCCCC, 0xF0F0F0F0F0F0F0F0,
+    0xFF00FF00FF00FF00, 0xFFFF0000FFFF0000, 0xFFFFFFFF00000000};
+
+// What CountTruth says of a clause about up to six states, all bool, which a
+// word holds the table of; nothing for others. Clauses of an evolved genotype
+// are of this kind, and each is counted whenever one is compiled.
+std::optional<TruthCount> CountWord(const Clause& clause,
+                                    const std::vector<State>& states) {
+  std::array<StateId, kTrueRows.size()> known{};
+  std::size_t count = 0;
+  std::uint64_t all = 0;
+  std::uint64_t group = ~std::uint64_t{0};
+  for (std::size_t i = 0; i < clause.terms.size(); ++i) {
+    const Term& term = clause.terms[i];
+    if (states[static_cast<std::size_t>(term.state)].type != StateType::kBool)
+      return std::nullopt;
+    std::size_t place = 0;
+    while (place < count && known[place] != term.state) ++place;
+    if (place == known.size()) return std::nullopt;
+    if (place == count) known[count++] = term.state;
+    const std::uint64_t rows = (Compare(term, 1) ? kTrueRows[place] : 0) |
+                               (Compare(term, 0) ? ~kTrueRows[place] : 0);
+    if (i > 0 && clause.connectives[i - 1] == Connective::kOr) {
+      all |= group;
+      group = rows;
+    } else {
+      group &= rows;
+    }
+  }
+  const int total = 1 << count;
+  return TruthCount{
+      std::popcount((all | group) & Mask(0, static_cast<std::size_t>(total))),
+      total};
 }
 
 }  // namespace
@@ -152,6 +191,7 @@ TruthTable Tabulate(const Clause& clause, const StateSpace& space) {
 
 std::optional<TruthCount> CountTruth(const Clause& clause,
                                      const std::vector<State>& states) {
+  if (const auto count = CountWord(clause, states)) return count;
   const Clause* const one = &clause;
   const StateSpace space({&one, 1}, states);
   if (!space.size()) return std::nullopt;

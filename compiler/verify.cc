@@ -310,6 +310,51 @@ void VerifyEnvironments(const Program& program, Findings* found) {
   }
 }
 
+bool IsExpectedBody(const std::vector<ExpectedModule>& body,
+                    const Alphabet& alphabet) {
+  int last_depth = -1;
+  for (const ExpectedModule& module : body) {
+    const bool is_core = module.symbol == plasticoding::kC;
+    if (module.depth > last_depth + 1 || module.depth < 0 ||
+        is_core != (module.depth == 0) ||
+        (module.depth == 0 && last_depth >= 0) ||
+        alphabet[module.symbol].category != Category::kModule)
+      return false;
+    last_depth = module.depth;
+  }
+  return true;
+}
+
+void VerifyTest(const InlineTest& test, const Program& program,
+                Findings* found) {
+  const Genotype& genotype = program.genotype;
+  const auto named = std::find_if(
+      program.environments.begin(), program.environments.end(),
+      [&](const NamedEnvironment& e) { return e.name == test.place; });
+  const bool is_placed = named != program.environments.end()
+                             ? named->environment == test.environment
+                             : test.place.empty() && genotype.states.empty();
+  const int after = test.after.value_or(0);
+  const bool is_right =
+      is_placed && after >= 0 && after <= genotype.development.iterations &&
+      test.string.empty() != test.body.empty() &&
+      (test.body.empty() || (genotype.alphabet->is_built_in() &&
+                             IsExpectedBody(test.body, *genotype.alphabet)));
+  found->Expect(is_right,
+                [&] { return fmt::format("test '{}' is wrong", test.name); });
+}
+
+void VerifyTests(const Program& program, Findings* found) {
+  std::set<std::string_view> names;
+  for (const InlineTest& test : program.tests) {
+    VerifyName(test.name, "test", found);
+    found->Expect(names.insert(test.name).second, [&] {
+      return fmt::format("test '{}' is declared twice", test.name);
+    });
+    if (program.genotype.alphabet != nullptr) VerifyTest(test, program, found);
+  }
+}
+
 }  // namespace
 
 std::vector<std::string> Verify(const Genotype& genotype) {
@@ -322,6 +367,7 @@ std::vector<std::string> Verify(const Program& program) {
   Findings found;
   VerifyGenotype(program.genotype, &found);
   VerifyEnvironments(program, &found);
+  VerifyTests(program, &found);
   return found.Take();
 }
 

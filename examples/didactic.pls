@@ -17,3 +17,8 @@ iterations 3
 rule X -> { X Y }
 rule Y -> { Z a }
 rule Z -> { X Z }
+
+test iteration_0 after 0 -> { X }
+test iteration_1 after 1 -> { X Y }
+test iteration_2 after 2 -> { X Y Z a }
+test iteration_3 after 3 -> { X Y Z a X Z a }

@@ -109,8 +109,9 @@ template <> struct Action<and_word>      : TakeConnective<ast::Connective::kAnd>
 template <> struct Action<or_word>       : TakeConnective<ast::Connective::kOr> {};
 // clang-format on
 
-// Nothing refers to a genotype by its name, so only a word that begins an item
-// would be mistaken for one: `genotype test` is fine.
+// No item refers to a genotype by its name, so only a word that begins an item
+// would be mistaken for one. `genotype test` is fine all the same: people call
+// their first genotype so.
 template <>
 struct Action<genotype_name> {
   template <typename Input>

@@ -144,6 +144,28 @@ struct Environment {
   Range entries;  ///< of File::entries
 };
 
+/// A module of an expected body, in the order of writing: a parent stands
+/// before its children.
+struct BodyNode {
+  Span face;                ///< of the parent; empty for the first
+  Span name;                ///< of the module's symbol
+  Span open;                ///< '{', empty without children
+  Span close;               ///< '}', likewise
+  std::uint32_t depth = 0;  ///< 0 the first
+};
+
+/// `test NAME in ENVIRONMENT after 2 -> { ... }` or `-> body C { ... }`.
+struct Test {
+  Span name;
+  Span environment;  ///< its name; empty without `in`
+  bool has_after = false;
+  Value after;  ///< rewritings, with has_after
+  Span open;    ///< '{'; empty for a body of one module
+  Span close;   ///< '}'
+  Range symbols;
+  Range nodes;  ///< of File::nodes; an expected body, instead of symbols
+};
+
 enum class ItemKind : std::uint8_t {
   kGenotype,
   kAlphabet,
@@ -153,6 +175,7 @@ enum class ItemKind : std::uint8_t {
   kSetting,
   kRule,
   kEnvironment,
+  kTest,
 };
 
 /// One item; `index` into the vector of its kind.
@@ -177,6 +200,7 @@ struct File {
   std::vector<Setting> settings;
   std::vector<Rule> rules;
   std::vector<Environment> environments;
+  std::vector<Test> tests;
 
   // Pools.
   std::vector<Symbol> symbols;
@@ -186,6 +210,7 @@ struct File {
   std::vector<Parameter> parameters;
   std::vector<Span> names;
   std::vector<Entry> entries;
+  std::vector<BodyNode> nodes;
 
   std::vector<Span> comments;  ///< from '#' to before the line's end
   /// Some item could not be parsed, so what seems to be missing may be there.

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <string>
 #include <utility>
@@ -42,6 +43,9 @@ void Builder::BeginItem(Span item_keyword) {
   sense.values.first = SizeOf(file.names);
   environment = {};
   environment.entries.first = SizeOf(file.entries);
+  test = {};
+  test.nodes.first = SizeOf(file.nodes);
+  body_path.clear();
 }
 
 void Builder::EndItem(ast::ItemKind kind, std::size_t index) {
@@ -55,7 +59,10 @@ void Builder::TakeNumber(Span span) {
   const std::string_view text = file.Text(span);
   value = {};
   value.span = span;
-  value.is_integer = text.find_first_of(".eE") == std::string_view::npos;
+  // Not find_first_of, which calls memchr for each character.
+  value.is_integer = std::none_of(text.begin(), text.end(), [](char c) {
+    return c == '.' || c == 'e' || c == 'E';
+  });
   const auto [end, error] =
       std::from_chars(text.data(), text.data() + text.size(), value.number);
   const bool fits = error == std::errc();

@@ -21,6 +21,11 @@ struct SyntaxFailure {};
 /// could hold millions.
 inline constexpr std::size_t kMaxSyntaxErrors = 1000;
 
+/// Deepest nesting of an expected body. The parser calls itself once a level,
+/// so some limit keeps it from the end of the stack; robots of 15 modules
+/// cannot reach 15.
+inline constexpr std::size_t kMaxBodyDepth = 100;
+
 struct Builder {
   ast::File file;
   std::vector<Diagnostic> diagnostics;
@@ -41,6 +46,9 @@ struct Builder {
   ast::Alphabet alphabet;
   ast::Sense sense;
   ast::Environment environment;
+  ast::Test test;
+  Span face;                             ///< of the module that follows
+  std::vector<std::uint32_t> body_path;  ///< open modules of File::nodes
   ast::SettingKey setting_key{};
   ast::Entry entry;
   bool is_replaceable = false;

@@ -42,11 +42,17 @@ constexpr CodeInfo kCodes[] = {
     {"P2016", "a state with an empty range or too few values"},
     {"P2017", "a name declared twice"},
     {"P2018", "a symbol's parameters are too many or have wrong ranges"},
+    {"P2019", "one genotype of a file with several has to be chosen"},
+    {"P2020",
+     "an inline test without what it needs, or one that asks for "
+     "what is not there"},
+    {"P2021", "an expected body that no robot can have"},
     {"P3001", "more terms or rules than the genotype's own limits allow"},
     {"P3002",
-     "more rules, states, symbols, values or constants than plsc "
+     "more rules, states, symbols, values, constants or limbs than plsc "
      "can hold"},
     {"P4001", "a string that grows beyond what development may produce"},
+    {"P4002", "an inline test whose expectation does not come out"},
     {"P5001", "the version line is missing or wrong"},
     {"P5002", "a file of a newer language"},
     {"P5003", "a version of an alphabet that this tool does not know"},

@@ -81,6 +81,27 @@ std::string ShowPlace(const Source& source, const Place& place,
 
 }  // namespace
 
+void SortAndDropRepeated(std::vector<Diagnostic>* diagnostics) {
+  std::stable_sort(diagnostics->begin(), diagnostics->end(),
+                   [](const Diagnostic& a, const Diagnostic& b) {
+                     return a.span.begin < b.span.begin;
+                   });
+  std::vector<Diagnostic> kept;
+  kept.reserve(diagnostics->size());
+  for (Diagnostic& diagnostic : *diagnostics) {
+    bool is_repeated = false;
+    for (auto known = kept.rbegin();
+         known != kept.rend() && known->span.begin == diagnostic.span.begin &&
+         !is_repeated;
+         ++known)
+      is_repeated = known->code == diagnostic.code &&
+                    known->span.end == diagnostic.span.end &&
+                    known->message == diagnostic.message;
+    if (!is_repeated) kept.push_back(std::move(diagnostic));
+  }
+  *diagnostics = std::move(kept);
+}
+
 std::string Render(const Diagnostic& diagnostic, const Source& source,
                    bool in_color) {
   const Painter paint{in_color};

@@ -37,6 +37,10 @@ struct Diagnostic {
   std::vector<Fix> fixes;
 };
 
+/// By position, in the order of reporting where that is the same, and without
+/// those that say the same of the same place again.
+void SortAndDropRepeated(std::vector<Diagnostic>* diagnostics);
+
 /// How a rendering looks; the text is the same with and without colour.
 struct RenderOptions {
   int limit = 20;         ///< most diagnostics that are shown; 0 shows all

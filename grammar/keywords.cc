@@ -2,31 +2,55 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 
 namespace plsc {
 
 namespace {
 
-constexpr std::array<std::string_view, 12> kItemKeywords = {
-    "alphabet",   "axiom",       "environment", "genotype",
-    "iterations", "let",         "max_modules", "max_rules",
-    "max_terms",  "move_to_new", "rule",        "sense",
+constexpr std::array<std::string_view, 13> kItemKeywords = {
+    "alphabet", "axiom",       "environment", "genotype",  "iterations",
+    "let",      "max_modules", "max_rules",   "max_terms", "move_to_new",
+    "rule",     "sense",       "test",
 };
 
-// `include` and `test` have no meaning yet: reserved, so that files of today
-// stay valid when they get one.
-constexpr std::array<std::string_view, 16> kOtherKeywords = {
-    "False", "True", "and",  "bool", "if",          "in",   "include",  "int",
-    "not",   "or",   "plsc", "real", "replaceable", "test", "terminal", "then",
+// `include` has no meaning yet: reserved, so that files of today stay valid
+// when it gets one.
+constexpr std::array<std::string_view, 15> kOtherKeywords = {
+    "False", "True",    "and",         "bool",     "if",
+    "in",    "include", "int",         "not",      "or",
+    "plsc",  "real",    "replaceable", "terminal", "then",
 };
+
+// A row of kKeywordLengths. The first and the last byte tell names of symbols
+// from keywords better than two at the start (move_back, move_to_new).
+constexpr std::size_t RowOf(std::string_view word) {
+  return (31U * static_cast<unsigned char>(word.front()) +
+          static_cast<unsigned char>(word.back())) %
+         256;
+}
+
+// Which lengths the keywords of a row have, a bit a length. Every name of every
+// production is asked about, and nearly none passes this.
+constexpr auto kKeywordLengths = [] {
+  std::array<std::uint32_t, 256> lengths{};
+  for (const std::string_view word : kItemKeywords)
+    lengths[RowOf(word)] |= 1U << word.size();
+  for (const std::string_view word : kOtherKeywords)
+    lengths[RowOf(word)] |= 1U << word.size();
+  return lengths;
+}();
+
+bool MayBeKeyword(std::string_view word) {
+  // A keyword of 32 letters would not compile above.
+  return !word.empty() && word.size() < 32 &&
+         (kKeywordLengths[RowOf(word)] >> word.size() & 1U) != 0;
+}
 
 template <std::size_t N>
 bool Contains(const std::array<std::string_view, N>& words,
               std::string_view word) {
-  // Every name of every production is looked up: most fail at the first byte.
-  return std::any_of(words.begin(), words.end(), [&](std::string_view known) {
-    return known[0] == word[0] && known == word;
-  });
+  return std::find(words.begin(), words.end(), word) != words.end();
 }
 
 bool IsIdentifier(std::string_view text) {
@@ -41,11 +65,11 @@ std::span<const std::string_view> ItemKeywords() {
 }
 
 bool IsItemKeyword(std::string_view word) {
-  return !word.empty() && Contains(kItemKeywords, word);
+  return MayBeKeyword(word) && Contains(kItemKeywords, word);
 }
 
 bool IsKeyword(std::string_view word) {
-  return !word.empty() &&
+  return MayBeKeyword(word) &&
          (Contains(kOtherKeywords, word) || Contains(kItemKeywords, word));
 }
 
@@ -54,7 +78,7 @@ bool IsName(std::string_view text) {
 }
 
 bool IsGenotypeName(std::string_view text) {
-  return IsIdentifier(text) && !IsItemKeyword(text);
+  return IsIdentifier(text) && (!IsItemKeyword(text) || text == "test");
 }
 
 }  // namespace plsc

@@ -23,8 +23,8 @@ constexpr bool IsWordCharacter(char c) {
 /// [A-Za-z_][A-Za-z0-9_]* and not a keyword.
 bool IsName(std::string_view text);
 
-/// As IsName, but keywords are allowed that begin no item: nothing refers to
-/// a genotype by its name.
+/// As IsName, but keywords are allowed that begin no item, and `test`: no
+/// item refers to a genotype by its name.
 bool IsGenotypeName(std::string_view text);
 
 }  // namespace plsc

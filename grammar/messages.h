@@ -51,6 +51,10 @@ template <> inline constexpr auto kError<alphabet_end>         = SyntaxError::kA
 template <> inline constexpr auto kError<number_type>          = SyntaxError::kParameterType;
 template <> inline constexpr auto kError<parameters_end>       = SyntaxError::kParametersEnd;
 template <> inline constexpr auto kError<wanted_entry_value>   = SyntaxError::kEntryValue;
+template <> inline constexpr auto kError<body_module>          = SyntaxError::kModule;
+template <> inline constexpr auto kError<children_end>         = SyntaxError::kBodyEnd;
+template <> inline constexpr auto kError<wanted_place>         = SyntaxError::kName;
+template <> inline constexpr auto kError<after_number>         = SyntaxError::kNumber;
 template <> inline constexpr auto kError<environment_end>      = SyntaxError::kEnvironmentEnd;
 // clang-format on
 

@@ -80,12 +80,13 @@ struct kw_sense       : TAO_PEGTL_KEYWORD("sense") {};
 struct kw_let         : TAO_PEGTL_KEYWORD("let") {};
 struct kw_axiom       : TAO_PEGTL_KEYWORD("axiom") {};
 struct kw_environment : TAO_PEGTL_KEYWORD("environment") {};
+struct kw_test        : TAO_PEGTL_KEYWORD("test") {};
 struct kw_iterations  : TAO_PEGTL_KEYWORD("iterations") {};
 struct kw_max_modules : TAO_PEGTL_KEYWORD("max_modules") {};
 struct kw_move_to_new : TAO_PEGTL_KEYWORD("move_to_new") {};
 struct kw_max_terms   : TAO_PEGTL_KEYWORD("max_terms") {};
 struct kw_max_rules   : TAO_PEGTL_KEYWORD("max_rules") {};
-struct item_keyword   : sor<kw_rule, kw_environment, kw_sense, kw_genotype, kw_alphabet, kw_axiom, kw_let,
+struct item_keyword   : sor<kw_rule, kw_environment, kw_sense, kw_genotype, kw_alphabet, kw_axiom, kw_let, kw_test,
                             kw_iterations, kw_max_modules, kw_move_to_new, kw_max_terms, kw_max_rules> {};
 template <typename Keyword> struct begin_item : token<Keyword> {};
 
@@ -164,11 +165,31 @@ struct environment_end  : token<end_mark> {};
 struct environment_item : seq<begin_item<kw_environment>, must<wanted_name>, must<environment_open>,
                               star<entry>, must<environment_end>> {};
 
-struct item : sor<rule_item, environment_item, sense_item, genotype_item, alphabet_item, axiom_item, let_item, setting_item> {};
+// Tests. A body is a tree: a module, and in braces the modules at its faces.
+struct module_name   : identifier {};
+struct face_name     : identifier {};
+struct children_open : token<open_mark> {};
+struct children_end  : token<end_mark> {};
+struct children;
+struct body_module   : seq<token<module_name>, opt<children>> {};
+struct face          : seq<token<face_name>, must<body_module>> {};
+struct children      : seq<children_open, star<face>, must<children_end>> {};
+struct body_word     : token<TAO_PEGTL_KEYWORD("body")> {};
+struct expected_body : seq<body_word, must<body_module>> {};
+struct test_place    : identifier {};
+struct wanted_place  : token<test_place> {};
+struct after_word    : token<TAO_PEGTL_KEYWORD("after")> {};
+struct after_number  : token<number> {};
+struct after         : seq<after_word, must<after_number>> {};
+struct test_item     : seq<begin_item<kw_test>, must<wanted_name>, opt<in_word, must<wanted_place>>,
+                           opt<after>, must<arrow>, sor<expected_body, production>> {};
+
+struct item : sor<rule_item, environment_item, sense_item, genotype_item, alphabet_item, axiom_item, let_item, setting_item,
+                  test_item> {};
 
 struct plsc_word      : TAO_PEGTL_KEYWORD("plsc") {};
 struct wanted_plsc    : token<plsc_word> {};
-struct version_number : seq<plus<digit>, not_at<identifier_other>> {};
+struct version_number : seq<plus<digit>, not_at<sor<identifier_other, one<'.'>>>> {};
 struct wanted_version : token<version_number> {};
 struct version        : seq<must<wanted_plsc>, must<wanted_version>> {};
 // clang-format on

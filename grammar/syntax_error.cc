@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -51,6 +52,35 @@ Diagnostic VersionWord(const SyntaxContext& context) {
   return diagnostic;
 }
 
+// "1.5", "v1", "-1": something that its author took for a version.
+bool IsVersionLike(std::string_view word) {
+  return std::any_of(word.begin(), word.end(),
+                     [](char c) { return c >= '0' && c <= '9'; }) &&
+         std::all_of(word.begin(), word.end(), [](char c) {
+           return IsWordCharacter(c) || c == '.' || c == '-' || c == '+';
+         });
+}
+
+Diagnostic VersionNumber(const SyntaxContext& context) {
+  Diagnostic diagnostic = Expected(
+      context, "P5001", "the language version after 'plsc'", "write 'plsc 1'");
+  const std::size_t begin =
+      context.text.find_first_not_of(" \t", context.previous_end);
+  if (begin == std::string_view::npos) return diagnostic;
+  const std::string_view word = context.text.substr(
+      begin, context.text.find_first_of(" \t\r\n#", begin) - begin);
+  // Longer than any version is something else.
+  constexpr std::size_t kMaxVersion = 20;
+  if (word.size() > kMaxVersion || !IsVersionLike(word)) return diagnostic;
+  diagnostic.span = {static_cast<std::uint32_t>(begin),
+                     static_cast<std::uint32_t>(begin + word.size())};
+  diagnostic.message =
+      fmt::format("the language version is a whole number, found '{}'", word);
+  if (word.starts_with("1.") || word == "v1")
+    diagnostic.fixes.push_back({diagnostic.span, "1"});
+  return diagnostic;
+}
+
 Diagnostic UnknownItem(const SyntaxContext& context) {
   const Found found = FoundAt(context.text, context.offset);
   Diagnostic diagnostic;
@@ -61,9 +91,8 @@ Diagnostic UnknownItem(const SyntaxContext& context) {
     diagnostic.label = "remove this";
     return diagnostic;
   }
-  if (found.text == "include" || found.text == "test") {
-    diagnostic.message = fmt::format(
-        "'{}' is reserved and has no meaning in plsc 1", found.text);
+  if (found.text == "include") {
+    diagnostic.message = "'include' is reserved and has no meaning in plsc 1";
     return diagnostic;
   }
   if (!IsWordCharacter(found.text.empty() ? ' ' : found.text[0])) {
@@ -157,11 +186,40 @@ Diagnostic FirstSymbol(const SyntaxContext& context) {
   return diagnostic;
 }
 
+Diagnostic BodyDepth(const SyntaxContext& context) {
+  Diagnostic diagnostic;
+  diagnostic.code = "P3002";
+  diagnostic.span = CaretOf(context);
+  diagnostic.message = "an expected body is nested too deeply";
+  diagnostic.label = "no robot of a scenario has limbs that long";
+  return diagnostic;
+}
+
+Diagnostic OfBody(SyntaxError error, const SyntaxContext& context) {
+  switch (error) {
+    case SyntaxError::kModule: {
+      const Found before = FoundBefore(context.text, context.previous_end);
+      return Expected(context, "P1116",
+                      fmt::format("a module after {}", before.quoted),
+                      before.text == "body" ? "a body starts with the core, C"
+                                            : "write 'FACE MODULE'");
+    }
+    case SyntaxError::kBodyEnd:
+      return InBraces(context, "module", "'FACE MODULE' or '}'");
+    default:
+      return BodyDepth(context);
+  }
+}
+
 Diagnostic OpenBrace(const SyntaxContext& context) {
   const Found before = FoundBefore(context.text, context.previous_end);
+  const bool is_test = ItemWord(context) == "test";
   if (before.text == "->")
-    return Expected(context, "P1115", "'if' or '{' after '->'",
-                    "a production stands in braces");
+    return Expected(
+        context, "P1115",
+        is_test ? "'{' or 'body' after '->'" : "'if' or '{' after '->'",
+        is_test ? "the expected string stands in braces"
+                : "a production stands in braces");
   return MissingMark(context, "{");
 }
 
@@ -283,8 +341,7 @@ Diagnostic DescribeSyntaxError(SyntaxError error,
     case kVersionWord:
       return VersionWord(context);
     case kVersionNumber:
-      return Expected(context, "P5001", "the language version after 'plsc'",
-                      "write 'plsc 1'");
+      return VersionNumber(context);
     case kItem:
       return UnknownItem(context);
     case kName:
@@ -325,6 +382,10 @@ Diagnostic DescribeSyntaxError(SyntaxError error,
       return OfAlphabet(error, context);
     case kEnvironmentEnd:
       return InBraces(context, "environment", "'STATE = VALUE' or '}'");
+    case kModule:
+    case kBodyEnd:
+    case kBodyDepth:
+      return OfBody(error, context);
   }
   return {};
 }

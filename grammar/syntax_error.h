@@ -46,6 +46,9 @@ enum class SyntaxError : std::uint8_t {
   kParametersEnd,
   kEntryValue,
   kEnvironmentEnd,
+  kModule,
+  kBodyEnd,
+  kBodyDepth,
 };
 
 /// Where the parser was when it could not go on.

@@ -7,9 +7,15 @@ namespace plsc {
 
 BodyTurtle::BodyTurtle(int max_modules, bool move_to_new)
     : max_modules_(max_modules), move_to_new_(move_to_new) {
+  // The paper's 15 modules; one allocation instead of five. Sensors and larger
+  // bodies grow on.
+  constexpr std::size_t kUsualModules = 16;
+  body_.modules.reserve(kUsualModules);
+  ways_.reserve(kUsualModules);
   Module core;
   core.number = 1;
   body_.modules.push_back(core);
+  ways_.push_back({0, 0, 0, 0});
 }
 
 int RollAngle(ModuleType child, ModuleType parent) {
@@ -36,8 +42,8 @@ Slot BodyTurtle::TargetSlot(Slot wanted) const {
 
 BodyTurtle::Cell BodyTurtle::CellAhead(const Module& from, Facing facing) {
   // By Facing: front, left, back, right.
-  constexpr std::array<Cell, 4> kAhead{Cell{0, 1}, Cell{-1, 0}, Cell{0, -1},
-                                       Cell{1, 0}};
+  static constexpr std::array<Cell, 4> kAhead{Cell{0, 1}, Cell{-1, 0},
+                                              Cell{0, -1}, Cell{1, 0}};
   const Cell ahead = kAhead[static_cast<std::size_t>(facing)];
   return {from.x + ahead.x, from.y + ahead.y};
 }
@@ -58,12 +64,8 @@ int BodyTurtle::NeighbourAt(Slot slot) const {
   return ModuleIn(CellAhead(reference, FacingOf(reference.facing, slot)));
 }
 
-Mounting BodyTurtle::Mount(ModuleType type) {
+Mounting BodyTurtle::MountAt(Slot slot, ModuleType type) {
   assert(type != ModuleType::kCore);
-  if (!slot_reference_) return {Effect::kNoSlot};
-  // Sensors are not counted, but none is mounted either once m is reached.
-  if (size_ >= max_modules_) return {Effect::kBodyFull};
-  const Slot slot = TargetSlot(*slot_reference_);
   const Module& parent = at(reference_);
   if (parent.child(slot) != kNoModule) return {Effect::kSlotTaken};
 
@@ -85,32 +87,28 @@ Mounting BodyTurtle::Mount(ModuleType type) {
 
   const int index = static_cast<int>(body_.modules.size());
   at(reference_).children[static_cast<std::size_t>(slot)] = index;
+  OpenWays(index, module);
   body_.modules.push_back(module);
   slot_reference_.reset();
-  if (move_to_new_ && type != ModuleType::kTouchSensor) {
-    came_from_.push_back(reference_);
-    reference_ = index;
-  }
+  if (move_to_new_ && type != ModuleType::kTouchSensor) reference_ = index;
   return {Effect::kMounted, index};
 }
 
-Effect BodyTurtle::MoveBack() {
-  if (came_from_.empty()) return Effect::kAtStart;
-  reference_ = came_from_.back();
-  came_from_.pop_back();
-  return Effect::kModuleReached;
+// Sensors cannot be moved to. Nothing is known of the slots of `module` yet.
+void BodyTurtle::OpenWays(int index, const Module& module) {
+  ways_.push_back({module.parent, index, index, index});
+  if (module.type == ModuleType::kTouchSensor) return;
+  const bool is_on_joint = IsJoint(at(module.parent).type);
+  for (const Slot side : {Slot::kFront, Slot::kRight, Slot::kLeft})
+    if (is_on_joint || side == module.slot) way(module.parent, side) = index;
 }
 
-Effect BodyTurtle::Move(Slot slot) {
-  assert(slot != Slot::kBack);
-  const Module& reference = at(reference_);
+Effect BodyTurtle::WhyNoWay(Slot slot) const {
+  if (slot == Slot::kBack) return Effect::kAtStart;
+  const Module& reference = body_.modules[static_cast<std::size_t>(reference_)];
   const Slot target = IsJoint(reference.type) ? Slot::kFront : slot;
-  const int child = reference.child(target);
-  if (child == kNoModule) return Effect::kSideEmpty;
-  if (at(child).type == ModuleType::kTouchSensor) return Effect::kSensorThere;
-  came_from_.push_back(reference_);
-  reference_ = child;
-  return Effect::kModuleReached;
+  return reference.child(target) == kNoModule ? Effect::kSideEmpty
+                                              : Effect::kSensorThere;
 }
 
 }  // namespace plsc

@@ -5,6 +5,7 @@
 // commands and modules; knows nothing of the network, but reports what it
 // mounted so that the brain turtle can add a node.
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -31,10 +32,21 @@ class BodyTurtle {
   /// A mounting command: overwrites the slot-reference (II).
   void SetSlot(Slot slot) { slot_reference_ = slot; }
   /// A module (III, IV). When it is not expressed the slot-reference is kept.
-  Mounting Mount(ModuleType type);
-  /// Moving commands (V): kModuleReached, or why the reference stays.
-  Effect MoveBack();
-  Effect Move(Slot slot);
+  Mounting Mount(ModuleType type) {
+    if (!slot_reference_) return {Effect::kNoSlot};
+    // Sensors are not counted, but none is mounted either once m is reached.
+    if (size_ >= max_modules_) return {Effect::kBodyFull};
+    return MountAt(TargetSlot(*slot_reference_), type);
+  }
+  /// Moving commands (V): kModuleReached, or why the reference stays. Moves
+  /// other than kBack lead to a child, so the way back is the way to the core.
+  Effect Move(Slot slot) {
+    const int next = way(reference_, slot);
+    const Effect effect =
+        next == reference_ ? WhyNoWay(slot) : Effect::kModuleReached;
+    reference_ = next;
+    return effect;
+  }
 
   const Body& body() const { return body_; }
   Body TakeBody() && { return std::move(body_); }
@@ -56,12 +68,22 @@ class BodyTurtle {
   Module& at(int index) {
     return body_.modules[static_cast<std::size_t>(index)];
   }
+  int& way(int module, Slot slot) {
+    return ways_[static_cast<std::size_t>(module)]
+                [static_cast<std::size_t>(slot)];
+  }
+  /// Pure, so that a reader that ignores effects does not ask.
+  [[gnu::pure]] Effect WhyNoWay(Slot slot) const;
+  void OpenWays(int index, const Module& module);
+  Mounting MountAt(Slot slot, ModuleType type);
   static Cell CellAhead(const Module& from, Facing facing);
   int ModuleIn(Cell cell) const;
 
   Body body_;
-  int reference_ = 0;           ///< the module-reference
-  std::vector<int> came_from_;  ///< where move_back leads
+  /// By module and Slot, where a move leads; the module itself when nowhere. A
+  /// table, because whether a move succeeds is too hard to predict to branch.
+  std::vector<std::array<int, kSlots>> ways_;
+  int reference_ = 0;  ///< the module-reference
   std::optional<Slot> slot_reference_;
   int size_ = 1;  ///< modules without sensors
   int max_modules_;

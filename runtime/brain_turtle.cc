@@ -7,9 +7,26 @@
 
 namespace plsc {
 
+namespace {
+
+// As many nodes and edges as most robots of the paper's size have: one
+// allocation instead of five. Others grow on.
+constexpr std::size_t kUsualNodes = 16;
+constexpr std::size_t kUsualEdges = 32;
+
+}  // namespace
+
+BrainTurtle::BrainTurtle() {
+  brain_.nodes.reserve(kUsualNodes);
+  brain_.connections.reserve(kUsualEdges);
+  ends_.reserve(2 * kUsualEdges);
+  end_begins_.reserve(kUsualNodes + 1);
+  end_begins_.push_back(0);
+}
+
 int BrainTurtle::Add(const Node& new_node) {
   brain_.nodes.push_back(new_node);
-  neighbours_.emplace_back();
+  end_begins_.push_back(end_begins_.back());
   return static_cast<int>(brain_.nodes.size()) - 1;
 }
 
@@ -22,56 +39,57 @@ int BrainTurtle::EdgeBetween(int source, int destination) const {
   return kNoEdge;
 }
 
-// Why a command that needs both references is not expressed.
 Effect BrainTurtle::Missing() const {
-  if (!inputs_.empty()) return Effect::kNoNeuron;
-  return neurons_.empty() ? Effect::kNoNodes : Effect::kNoInput;
+  if (input_reference_ != kNoNode) return Effect::kNoNeuron;
+  return neuron_reference_ == kNoNode ? Effect::kNoNodes : Effect::kNoInput;
+}
+
+void BrainTurtle::AddEnd(int of, int other) {
+  const auto next = static_cast<std::size_t>(of) + 1;
+  ends_.insert(ends_.begin() + end_begins_[next], other);
+  for (std::size_t i = next; i < end_begins_.size(); ++i) ++end_begins_[i];
 }
 
 void BrainTurtle::Connect(int input, int neuron, double weight) {
-  neighbours_[static_cast<std::size_t>(input)].push_back(neuron);
-  neighbours_[static_cast<std::size_t>(neuron)].push_back(input);
+  AddEnd(input, neuron);
+  AddEnd(neuron, input);
   brain_.connections.push_back({input, neuron, weight});
 }
 
-// In both directions the edge to the top of the stack takes the new node's
-// weight and the others their own end's; then only the top stays stacked.
+// In both directions the edge to the newest of the stack takes the new node's
+// weight and the others their own end's; then only the newest stays stacked.
 void BrainTurtle::AddInput(int module, double weight) {
   Node input;
   input.type = NodeType::kInput;
   input.module = module;
   input.weight = weight;
   const int index = Add(input);
-  if (neurons_.empty()) {
-    inputs_.push_back(index);
-    return;
+  if (neuron_reference_ != kNoNode) {
+    const bool is_first = input_reference_ == kNoNode;
+    for (int i = is_first ? 0 : neuron_reference_; i < neuron_reference_; ++i)
+      Connect(index, i, node(i).weight);
+    Connect(index, neuron_reference_, weight);
   }
-  inputs_ = {index};
-  for (const int neuron : neurons_)
-    Connect(index, neuron,
-            neuron == neurons_.back() ? weight : node(neuron).weight);
-  neurons_ = {neurons_.back()};
+  input_reference_ = index;
 }
 
 void BrainTurtle::AddOscillator(Node oscillator) {
   assert(oscillator.type == NodeType::kOscillator);
   const int index = Add(oscillator);
-  if (inputs_.empty()) {
-    neurons_.push_back(index);
-    return;
+  if (input_reference_ != kNoNode) {
+    const bool is_first = neuron_reference_ == kNoNode;
+    for (int i = is_first ? 0 : input_reference_; i < input_reference_; ++i)
+      Connect(i, index, node(i).weight);
+    Connect(input_reference_, index, oscillator.weight);
   }
-  neurons_ = {index};
-  for (const int input : inputs_)
-    Connect(input, index,
-            input == inputs_.back() ? oscillator.weight : node(input).weight);
-  inputs_ = {inputs_.back()};
+  neuron_reference_ = index;
 }
 
 Effect BrainTurtle::AddEdge(double weight) {
   if (!has_both()) return Missing();
-  if (EdgeBetween(inputs_.back(), neurons_.back()) != kNoEdge)
+  if (EdgeBetween(input_reference_, neuron_reference_) != kNoEdge)
     return Effect::kEdgeExists;
-  Connect(inputs_.back(), neurons_.back(), weight);
+  Connect(input_reference_, neuron_reference_, weight);
   return Effect::kEdgeAdded;
 }
 
@@ -80,15 +98,15 @@ Effect BrainTurtle::AddEdge(double weight) {
 // command".
 Effect BrainTurtle::AddLoop(double weight) {
   if (!has_both()) return Missing();
-  if (EdgeBetween(neurons_.back(), neurons_.back()) != kNoEdge)
+  if (EdgeBetween(neuron_reference_, neuron_reference_) != kNoEdge)
     return Effect::kLoopExists;
-  brain_.connections.push_back({neurons_.back(), neurons_.back(), weight});
+  brain_.connections.push_back({neuron_reference_, neuron_reference_, weight});
   return Effect::kLoopAdded;
 }
 
 Effect BrainTurtle::MutateEdge(double amount) {
   if (!has_both()) return Missing();
-  const int edge = EdgeBetween(inputs_.back(), neurons_.back());
+  const int edge = EdgeBetween(input_reference_, neuron_reference_);
   if (edge == kNoEdge) return Effect::kNoEdge;
   double& weight = brain_.connections[static_cast<std::size_t>(edge)].weight;
   weight = std::clamp(weight + amount, plasticoding::kWeightLow,
@@ -97,42 +115,11 @@ Effect BrainTurtle::MutateEdge(double amount) {
 }
 
 Effect BrainTurtle::MutateParameter(double Node::*parameter, double amount) {
-  if (neurons_.empty()) return Effect::kNoNeuron;
-  double& value = node(neurons_.back()).*parameter;
+  if (neuron_reference_ == kNoNode) return Effect::kNoNeuron;
+  double& value = node(neuron_reference_).*parameter;
   value = std::clamp(value + amount, plasticoding::kOscillatorLow,
                      plasticoding::kOscillatorHigh);
   return Effect::kNeuronChanged;
-}
-
-Effect BrainTurtle::MutateAmplitude(double amount) {
-  return MutateParameter(&Node::amplitude, amount);
-}
-Effect BrainTurtle::MutatePeriod(double amount) {
-  return MutateParameter(&Node::period, amount);
-}
-Effect BrainTurtle::MutatePhaseOffset(double amount) {
-  return MutateParameter(&Node::phase_offset, amount);
-}
-
-// Never asked of a node without edges: as soon as both references exist, each
-// has one (AddInput and AddOscillator connect them).
-int BrainTurtle::Neighbour(int of, int edge) const {
-  const std::vector<int>& list = neighbours_[static_cast<std::size_t>(of)];
-  assert(!list.empty() && edge >= 1);
-  const auto last = static_cast<int>(list.size());
-  return list[static_cast<std::size_t>(std::min(edge, last) - 1)];
-}
-
-Effect BrainTurtle::MoveInputReference(int t, int d) {
-  if (!has_both()) return Missing();
-  inputs_.back() = Neighbour(Neighbour(inputs_.back(), t), d);
-  return Effect::kNodeReached;
-}
-
-Effect BrainTurtle::MoveNeuronReference(int t, int d) {
-  if (!has_both()) return Missing();
-  neurons_.back() = Neighbour(Neighbour(neurons_.back(), t), d);
-  return Effect::kNodeReached;
 }
 
 }  // namespace plsc

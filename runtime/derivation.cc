@@ -1,12 +1,13 @@
 #include "runtime/derivation.h"
 
+#include <span>
 #include <utility>
 
 namespace plsc {
 
 namespace {
 
-const std::vector<Occurrence>& Successor(const ActiveRules& active,
+std::span<const Occurrence> Successor(const ActiveRules& active,
                                          const Insertion& insertion) {
   return active.joined[static_cast<std::size_t>(insertion.occurrence.symbol)];
 }
@@ -18,7 +19,7 @@ std::optional<std::vector<InsertionId>> RewriteOnce(const ActiveRules& active,
                                                     Derivation& derivation) {
   std::vector<InsertionId> next;
   for (const InsertionId id : derivation.steps.back()) {
-    const std::vector<Occurrence>& successor =
+    const std::span<const Occurrence> successor =
         Successor(active, derivation.insertions[id]);
     if (next.size() + successor.size() + (successor.empty() ? 1 : 0) >
         kMaxStringLength)

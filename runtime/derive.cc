@@ -1,41 +1,36 @@
 #include "runtime/derive.h"
 
+#include <cassert>
+#include <span>
 #include <utility>
 
 namespace plsc {
 
 namespace {
 
-const std::vector<Occurrence>& Successor(const ActiveRules& active,
-                                         const Occurrence& occurrence) {
-  return active.joined[static_cast<std::size_t>(occurrence.symbol)];
-}
-
 std::size_t LengthAfter(const SymbolString& string, const ActiveRules& active) {
   std::size_t length = 0;
   for (const Occurrence& occurrence : string) {
-    const std::size_t successor = Successor(active, occurrence).size();
-    length += successor == 0 ? 1 : successor;
+    length += RewrittenInto(active.joined, occurrence).size();
     if (length > kMaxStringLength) return length;
   }
   return length;
 }
 
 // One parallel rewriting; false when the result would be too long. `next` is
-// reused between rewritings, so that a derivation allocates rarely.
+// reused between rewritings, so that a derivation allocates rarely. As its
+// length is known, symbols are stored without asking for room each time.
 bool Rewrite(const SymbolString& string, const ActiveRules& active,
              SymbolString& next) {
   const std::size_t length = LengthAfter(string, active);
   if (length > kMaxStringLength) return false;
   next.clear();
-  next.reserve(length);
-  for (const Occurrence& occurrence : string) {
-    const std::vector<Occurrence>& successor = Successor(active, occurrence);
-    if (successor.empty())
-      next.push_back(occurrence);
-    else
-      next.insert(next.end(), successor.begin(), successor.end());
-  }
+  next.resize(length);
+  auto end = next.begin();
+  for (const Occurrence& occurrence : string)
+    for (const Occurrence& written : RewrittenInto(active.joined, occurrence))
+      *end++ = written;
+  assert(end == next.end());
   return true;
 }
 
@@ -43,16 +38,32 @@ SymbolString Axiom(const Genotype& genotype) {
   return {Occurrence{genotype.axiom, kNoRule, 0}};
 }
 
+std::optional<SymbolString> DeriveTimes(const Genotype& genotype,
+                                        const ActiveRules& active,
+                                        int iterations) {
+  SymbolString string = Axiom(genotype);
+  SymbolString next;
+  for (int i = 0; i < iterations; ++i) {
+    if (!Rewrite(string, active, next)) return std::nullopt;
+    std::swap(string, next);
+  }
+  return string;
+}
+
 }  // namespace
 
 std::optional<SymbolString> Derive(const Genotype& genotype,
                                    const ActiveRules& active) {
-  SymbolString string = Axiom(genotype);
-  SymbolString next;
-  for (int i = 0; i < genotype.development.iterations; ++i) {
-    if (!Rewrite(string, active, next)) return std::nullopt;
-    std::swap(string, next);
-  }
+  return DeriveTimes(genotype, active, genotype.development.iterations);
+}
+
+std::optional<SymbolString> DeriveAllButLast(const Genotype& genotype,
+                                             const ActiveRules& active) {
+  assert(genotype.development.iterations > 0);
+  std::optional<SymbolString> string =
+      DeriveTimes(genotype, active, genotype.development.iterations - 1);
+  if (!string || LengthAfter(*string, active) > kMaxStringLength)
+    return std::nullopt;
   return string;
 }
 

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "runtime/regulate.h"
@@ -23,6 +24,22 @@ inline constexpr std::size_t kMaxStringLength = 1u << 20;
 /// beyond kMaxStringLength.
 std::optional<SymbolString> Derive(const Genotype& genotype,
                                    const ActiveRules& active);
+
+/// The string before the last rewriting, of which there is one at least.
+/// Nothing when the last would make it too long. For readers of the last
+/// string that need not keep it: it is most of what a derivation writes.
+std::optional<SymbolString> DeriveAllButLast(const Genotype& genotype,
+                                             const ActiveRules& active);
+
+/// What a rewriting puts in the place of `occurrence`: its successor, or
+/// itself.
+inline std::span<const Occurrence> RewrittenInto(const Successors& joined,
+                                                 const Occurrence& occurrence) {
+  const std::span<const Occurrence> successor =
+      joined[static_cast<std::size_t>(occurrence.symbol)];
+  if (!successor.empty()) return successor;
+  return {&occurrence, 1};
+}
 
 /// The string after each rewriting, the axiom first: k + 1 strings.
 std::optional<std::vector<SymbolString>> DeriveSteps(const Genotype& genotype,

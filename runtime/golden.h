@@ -97,6 +97,7 @@ struct GoldenCase {
   std::string environment;  ///< a name of the genotype's file, or "a=True,b=1"
   /// None: somebody wrote the environment and left the rest to --update.
   std::optional<Observation> expected;
+  std::string genotype{};  ///< of a file of several; else empty
 
   friend bool operator==(const GoldenCase&, const GoldenCase&) = default;
 };

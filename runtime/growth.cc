@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -66,7 +67,7 @@ std::uint64_t DerivedLength(const Genotype& genotype,
 std::optional<Multiplier> GreatestMultiplier(const ActiveRules& active) {
   Multiplier greatest;
   for (std::size_t head = 0; head < active.joined.size(); ++head) {
-    const std::vector<Occurrence>& joined = active.joined[head];
+    const std::span<const Occurrence> joined = active.joined[head];
     const auto symbol = static_cast<SymbolId>(head);
     const auto copies = static_cast<std::uint64_t>(
         std::count_if(joined.begin(), joined.end(),

@@ -21,14 +21,13 @@ namespace plsc {
 namespace {
 
 // What to blame for growth: the number of rewritings.
-Span GrowthSpan(const MappedProgram& compiled, const ast::File& file) {
-  for (const ast::Setting& setting : file.settings)
-    if (setting.key == ast::SettingKey::kIterations) return setting.value.span;
+Span GrowthSpan(const MappedProgram& compiled) {
+  if (compiled.map.iterations.end > 0) return compiled.map.iterations;
   const Genotype& genotype = compiled.program.genotype;
   for (std::size_t i = 0; i < genotype.rules.size(); ++i)
     if (genotype.rules[i].head == genotype.axiom)
       return compiled.map.rules[i].head;
-  return file.version;
+  return compiled.map.version;
 }
 
 std::string LengthText(std::uint64_t length) {
@@ -37,13 +36,12 @@ std::string LengthText(std::uint64_t length) {
   return fmt::format("{}", length);
 }
 
-Diagnostic Growth(const MappedProgram& compiled, const ast::File& file,
-                  const ActiveRules& active, std::uint64_t length,
-                  const std::string& where) {
+Diagnostic Growth(const MappedProgram& compiled, const ActiveRules& active,
+                  std::uint64_t length, const std::string& where) {
   const Genotype& genotype = compiled.program.genotype;
   Diagnostic diagnostic;
   diagnostic.code = "P4001";
-  diagnostic.span = GrowthSpan(compiled, file);
+  diagnostic.span = GrowthSpan(compiled);
   diagnostic.message = fmt::format(
       "{}, development would produce {} symbols, and the limit is {}", where,
       LengthText(length), kMaxStringLength);
@@ -61,7 +59,6 @@ Diagnostic Growth(const MappedProgram& compiled, const ast::File& file,
 
 // In the environment where the string grows most.
 std::optional<Diagnostic> GrowthWarning(const MappedProgram& compiled,
-                                        const ast::File& file,
                                         const StateSpace& space,
                                         const std::vector<Regime>& regimes) {
   const Genotype& genotype = compiled.program.genotype;
@@ -83,7 +80,7 @@ std::optional<Diagnostic> GrowthWarning(const MappedProgram& compiled,
           ? "in every environment"
           : "when " + space.Describe(worst->environment, genotype.states);
   Diagnostic warning =
-      Growth(compiled, file, Regulate(genotype, {space.At(worst->environment)}),
+      Growth(compiled, Regulate(genotype, {space.At(worst->environment)}),
              longest, where);
   warning.severity = Severity::kWarning;
   warning.code = "W4001";
@@ -92,51 +89,56 @@ std::optional<Diagnostic> GrowthWarning(const MappedProgram& compiled,
   return warning;
 }
 
-Diagnostic TooManyEnvironments(const ast::File& file) {
+Diagnostic TooManyEnvironments(Span version) {
   Diagnostic warning;
   warning.severity = Severity::kWarning;
   warning.code = "W3005";
-  warning.span = file.version;
+  warning.span = version;
   warning.message =
       "the clauses tell apart too many environments to develop in each";
   warning.label = "growth and expression of symbols are not checked";
   return warning;
 }
 
-}  // namespace
-
-std::vector<Diagnostic> Lint(const MappedProgram& compiled,
-                             const Source& source) {
-  const ParseResult parsed = Parse(source);
-  const ast::File& file = parsed.file;
+std::vector<Diagnostic> LintOne(const MappedProgram& compiled) {
   const Genotype& genotype = compiled.program.genotype;
   std::vector<Diagnostic> warnings =
       LintClauses(compiled.program, compiled.map);
   const StateSpace space(genotype);
-  if (const auto regimes = FindRegimes(genotype, space)) {
-    if (auto growth = GrowthWarning(compiled, file, space, *regimes)) {
-      // What is too long to develop has nothing to say about expression.
-      warnings.push_back(std::move(*growth));
-    } else {
-      std::vector<Diagnostic> more =
-          LintExpression(compiled, space, *regimes, file.version);
-      std::move(more.begin(), more.end(), std::back_inserter(warnings));
-    }
-  } else {
-    warnings.push_back(TooManyEnvironments(file));
+  const auto regimes = FindRegimes(genotype, space);
+  if (!regimes) {
+    warnings.push_back(TooManyEnvironments(compiled.map.version));
+    return warnings;
   }
-  warnings = Suppressions(file).Keep(std::move(warnings));
-  std::stable_sort(warnings.begin(), warnings.end(),
-                   [](const Diagnostic& a, const Diagnostic& b) {
-                     return a.span.begin < b.span.begin;
-                   });
+  if (auto growth = GrowthWarning(compiled, space, *regimes)) {
+    // What is too long to develop has nothing to say about expression.
+    warnings.push_back(std::move(*growth));
+    return warnings;
+  }
+  std::vector<Diagnostic> more =
+      LintExpression(compiled, space, *regimes, compiled.map.version);
+  std::move(more.begin(), more.end(), std::back_inserter(warnings));
   return warnings;
 }
 
-Diagnostic GrowthError(const MappedProgram& compiled, const Source& source,
-                       const ActiveRules& active, std::uint64_t length,
-                       const std::string& where) {
-  return Growth(compiled, Parse(source).file, active, length, "in " + where);
+}  // namespace
+
+std::vector<Diagnostic> Lint(std::span<const MappedProgram> compiled,
+                             const Source& source) {
+  std::vector<Diagnostic> warnings;
+  for (const MappedProgram& one : compiled) {
+    std::vector<Diagnostic> more = LintOne(one);
+    std::move(more.begin(), more.end(), std::back_inserter(warnings));
+  }
+  const ParseResult parsed = Parse(source);
+  warnings = Suppressions(parsed.file).Keep(std::move(warnings));
+  SortAndDropRepeated(&warnings);
+  return warnings;
+}
+
+Diagnostic GrowthError(const MappedProgram& compiled, const ActiveRules& active,
+                       std::uint64_t length, const std::string& where) {
+  return Growth(compiled, active, length, "in " + where);
 }
 
 }  // namespace plsc

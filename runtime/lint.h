@@ -5,6 +5,7 @@
 // much of it; people who write by hand want to know.
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -15,19 +16,18 @@
 namespace plsc {
 
 /// Every warning that no comment silences, sorted by position; without those
-/// of Compile. `source` is what `compiled` was compiled from.
+/// of Compile. `compiled` is all that `source` holds.
 ///   W3003, W3004, W3005  see compiler/lint.h
 ///   W4001  in some environment the string would grow beyond its limit.
 ///   W4002  a symbol that no environment expresses, or a rule that rewrites
 ///          nothing in any (runtime/lint_expression.h).
-std::vector<Diagnostic> Lint(const MappedProgram& compiled,
+std::vector<Diagnostic> Lint(std::span<const MappedProgram> compiled,
                              const Source& source);
 
 /// P4001: in the environment called `where` the string would have `length`
 /// symbols. Points at the `iterations` item, or at the first rule of the axiom
 /// when the file leaves it out.
-Diagnostic GrowthError(const MappedProgram& compiled, const Source& source,
-                       const ActiveRules& active, std::uint64_t length,
-                       const std::string& where);
+Diagnostic GrowthError(const MappedProgram& compiled, const ActiveRules& active,
+                       std::uint64_t length, const std::string& where);
 
 }  // namespace plsc

@@ -1,6 +1,7 @@
 #include "runtime/regulate.h"
 
 #include <cassert>
+#include <utility>
 
 #include "compiler/truth.h"
 
@@ -16,11 +17,9 @@ bool IsLeadingCore(const Genotype& genotype, SymbolId head,
          symbol.id == plasticoding::kC && position == 0;
 }
 
-void Join(const Genotype& genotype, RuleIndex index,
+void Join(const Genotype& genotype, RuleIndex index, bool is_first,
           std::vector<Occurrence>& joined) {
   const Rule& rule = genotype.rules[index];
-  const bool is_first = joined.empty();
-  joined.reserve(joined.size() + rule.production.size());
   for (std::size_t i = 0; i < rule.production.size(); ++i) {
     const Symbol& symbol = rule.production[i];
     if (!is_first && IsLeadingCore(genotype, rule.head, symbol, i)) continue;
@@ -28,21 +27,52 @@ void Join(const Genotype& genotype, RuleIndex index,
   }
 }
 
+std::vector<RuleIndex> RulesThatHold(const Genotype& genotype,
+                                     const Environment& environment) {
+  std::vector<RuleIndex> rules;
+  rules.reserve(genotype.rules.size());
+  for (std::size_t i = 0; i < genotype.rules.size(); ++i)
+    if (ClauseHolds(genotype.rules[i].clause, environment.values))
+      rules.push_back(static_cast<RuleIndex>(i));
+  return rules;
+}
+
+Successors JoinAll(const Genotype& genotype,
+                   const std::vector<RuleIndex>& rules) {
+  std::size_t length = 0;
+  for (const RuleIndex index : rules)
+    length += genotype.rules[index].production.size();
+  std::vector<Occurrence> occurrences;
+  occurrences.reserve(length);
+  std::vector<std::uint32_t> begins;
+  const std::size_t symbols = genotype.alphabet->symbols().size();
+  begins.reserve(symbols + 1);
+  for (const RuleIndex index : rules) {  // grouped by head, in alphabet order
+    const auto head = static_cast<std::size_t>(genotype.rules[index].head);
+    assert(begins.size() <= head + 1);
+    const bool is_first = begins.size() <= head;
+    if (is_first)
+      begins.resize(head + 1, static_cast<std::uint32_t>(occurrences.size()));
+    Join(genotype, index, is_first, occurrences);
+  }
+  begins.resize(symbols + 1, static_cast<std::uint32_t>(occurrences.size()));
+  return {std::move(occurrences), std::move(begins)};
+}
+
 }  // namespace
+
+Successors::Successors(std::vector<Occurrence> occurrences,
+                       std::vector<std::uint32_t> begins)
+    : occurrences_(std::move(occurrences)), begins_(std::move(begins)) {
+  assert(!begins_.empty() && begins_.back() == occurrences_.size());
+}
 
 ActiveRules Regulate(const Genotype& genotype, const Environment& environment) {
   assert(environment.values.size() == genotype.states.size());
   assert(genotype.rules.size() < kNoRule);
-  ActiveRules active;
-  active.joined.resize(genotype.alphabet->symbols().size());
-  for (std::size_t i = 0; i < genotype.rules.size(); ++i) {
-    const Rule& rule = genotype.rules[i];
-    if (!ClauseHolds(rule.clause, environment.values)) continue;
-    const auto index = static_cast<RuleIndex>(i);
-    active.rules.push_back(index);
-    Join(genotype, index, active.joined[static_cast<std::size_t>(rule.head)]);
-  }
-  return active;
+  std::vector<RuleIndex> rules = RulesThatHold(genotype, environment);
+  Successors joined = JoinAll(genotype, rules);
+  return {std::move(rules), std::move(joined)};
 }
 
 std::vector<SymbolRules> BySymbol(const Genotype& genotype,

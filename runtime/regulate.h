@@ -4,7 +4,9 @@
 // environment, and what each symbol is therefore rewritten into. The first
 // stage of development (paper, "Environmental regulation").
 
+#include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "compiler/genotype.h"
@@ -27,12 +29,35 @@ struct Occurrence {
   friend bool operator==(const Occurrence&, const Occurrence&) = default;
 };
 
+/// What each symbol is rewritten into, by SymbolId: the productions of its
+/// active rules joined in order; of C, the leading C of the second and later
+/// ones is left out. Empty: no rule is active, the symbol stays as it is.
+/// All successors lie in one array, because a vector a symbol would be most of
+/// the allocations of a development.
+class Successors {
+ public:
+  Successors() = default;  ///< of no symbols
+  /// `begins`: by symbol, where its successor begins in `occurrences`; one more
+  /// for the end of the last.
+  Successors(std::vector<Occurrence> occurrences,
+             std::vector<std::uint32_t> begins);
+
+  std::span<const Occurrence> operator[](std::size_t symbol) const {
+    return {occurrences_.data() + begins_[symbol],
+            begins_[symbol + 1] - begins_[symbol]};
+  }
+  std::size_t size() const { return begins_.size() - 1; }  ///< symbols
+
+  friend bool operator==(const Successors&, const Successors&) = default;
+
+ private:
+  std::vector<Occurrence> occurrences_;
+  std::vector<std::uint32_t> begins_{0};
+};
+
 struct ActiveRules {
   std::vector<RuleIndex> rules;  ///< every rule whose clause holds, in order
-  /// By SymbolId: the productions of its active rules joined in order; of C,
-  /// the leading C of the second and later ones is left out. Empty: no rule
-  /// is active, the symbol stays as it is.
-  std::vector<std::vector<Occurrence>> joined;
+  Successors joined;
 };
 
 /// Which clauses hold in `environment`, which has a value for every state, is

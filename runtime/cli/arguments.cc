@@ -87,6 +87,16 @@ Answer AnswerTo(const CLI::App& app, const CLI::ParseError& error) {
   return UsageError(app, error.what());
 }
 
+// As CLI11 wants them: from the back. It would take "-:12:5", a place in
+// standard input, for an option; no option begins like that, so it is given
+// the name that diagnostics have for standard input.
+std::vector<std::string> ForParsing(const std::vector<std::string>& arguments) {
+  std::vector<std::string> reversed(arguments.rbegin(), arguments.rend());
+  for (std::string& argument : reversed)
+    if (argument.starts_with("-:")) argument.replace(0, 1, "<stdin>");
+  return reversed;
+}
+
 }  // namespace
 
 void AddFormat(CLI::App* command, OutputFormat& format, const char* json) {
@@ -139,8 +149,7 @@ Command ParseArguments(const std::vector<std::string>& arguments) {
                                  DidYouMean(arguments[0], known));
   }
   try {
-    // CLI11 takes the arguments from the back.
-    app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
+    app.parse(ForParsing(arguments));
   } catch (const CLI::ParseError& error) {
     return AnswerTo(app, error);
   }

@@ -218,7 +218,7 @@ CLI::App* AddWhy(CLI::App& app, WhyCommand& command) {
       "symbol");
   sub->add_option("FILE", command.file,
                   "a genotype file (- is standard input); FILE:LINE:COLUMN "
-                  "asks about the symbol there (<stdin>:LINE:COLUMN)")
+                  "asks about the symbol there, also -:LINE:COLUMN")
       ->required();
   CLI::Option* module =
       sub->add_option("--module", command.module,

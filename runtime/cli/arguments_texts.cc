@@ -71,6 +71,10 @@ CLI::App* AddFix(CLI::App& app, FixCommand& command) {
       ->required();
   sub->add_flag("--check", command.check,
                 "write nothing; exit status 1 if anything would be mended");
+  sub->add_flag("--diff", command.diff,
+                "write nothing; print what would change as a unified diff; "
+                "exit status 1 if anything would")
+      ->excludes("--check");
   sub->add_flag("--allow-range", command.allow_range,
                 "arguments outside their range are warnings, not errors");
   sub->footer(
@@ -81,6 +85,7 @@ CLI::App* AddFix(CLI::App& app, FixCommand& command) {
       "Exit status 1 if errors remain.\n\n"
       "  plsc fix robot.pls\n"
       "  plsc fix --check robots/*.pls\n"
+      "  plsc fix --diff robot.pls\n"
       "  plsc fix - < robot.pls > mended.pls");
   return sub;
 }

@@ -44,6 +44,23 @@ struct Checked {
   bool is_fine = false;
 };
 
+std::string Contents(const std::vector<MappedProgram>& programs,
+                     const std::string& name) {
+  std::string text;
+  for (const MappedProgram& mapped : programs) {
+    const Program& program = mapped.program;
+    text += fmt::format(
+        "{}: genotype {}, alphabet {}, {} rules, {} states, {} environments",
+        name, program.genotype.name, program.genotype.alphabet->name(),
+        program.genotype.rules.size(), program.genotype.states.size(),
+        program.environments.size());
+    if (!program.tests.empty())
+      text += fmt::format(", {} tests", program.tests.size());
+    text += '\n';
+  }
+  return text;
+}
+
 Checked CheckOne(const std::string& name, const CheckCommand& command, Io& io) {
   const Result<Source> source = ReadSource(name, io);
   const bool is_text = command.format == CheckFormat::kText;
@@ -59,20 +76,14 @@ Checked CheckOne(const std::string& name, const CheckCommand& command, Io& io) {
   }
   CompileOptions options;
   options.allow_out_of_range = command.allow_range;
-  const Result<MappedProgram> compiled = CompileWithMap(*source, options);
+  const auto compiled = CompileAllWithMap(*source, options);
   CheckedFile file{*source, compiled.diagnostics()};
   if (compiled && command.lint)
     for (Diagnostic& warning : Lint(*compiled, *source))
       file.diagnostics.push_back(std::move(warning));
   Show(file, command, io);
-  const Program* program = compiled ? &compiled->program : nullptr;
-  if (program != nullptr && is_text)
-    io.out << fmt::format(
-        "{}: genotype {}, alphabet {}, {} rules, {} states, {} environments\n",
-        source->name(), program->genotype.name,
-        program->genotype.alphabet->name(), program->genotype.rules.size(),
-        program->genotype.states.size(), program->environments.size());
-  return {std::move(file), program != nullptr};
+  if (compiled && is_text) io.out << Contents(*compiled, source->name());
+  return {std::move(file), static_cast<bool>(compiled)};
 }
 
 }  // namespace

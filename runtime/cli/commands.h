@@ -39,6 +39,7 @@ struct ExplainCommand {
 struct FixCommand {
   std::vector<std::string> files;
   bool check = false;
+  bool diff = false;
   bool allow_range = false;
 };
 

@@ -9,7 +9,7 @@ namespace {
 constexpr Explanation kRows[] = {
     {"P5001", ExampleKind::kGenotype,
      R"(A genotype file starts with the language that it is written in: 'plsc
-1'.
+1'. The version is a whole number.
 )",
      R"(alphabet plasticoding 1
 )",

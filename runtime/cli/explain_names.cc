@@ -232,6 +232,57 @@ axiom X
 alphabet mine { replaceable X; terminal turn(a: real in 1..9) }
 axiom X
 )"},
+    {"P2019", ExampleKind::kGenotype,
+     R"(The file holds several genotypes, and the command is about one. Say which
+with its name behind a '#': plsc develop zoo.pls#snake. 'plsc check',
+'fmt', 'lint', 'fix' and 'test' take the whole file.
+)",
+     R"(plsc 1
+alphabet plasticoding 1
+genotype gecko
+rule C -> { C B }
+genotype snake
+rule C -> { C add_front B }
+)",
+     R"(plsc 1
+alphabet plasticoding 1
+genotype snake
+rule C -> { C add_front B }
+)"},
+    {"P2020", ExampleKind::kGenotype,
+     R"(A 'test' item says in which of the file's environments it develops the
+genotype, unless nothing is sensed; 'after' asks for the string after
+fewer rewritings than 'iterations'.
+)",
+     R"(plsc 1
+alphabet plasticoding 1
+sense hot: bool
+environment summer { hot = True }
+rule C -> if hot = True then { C add_left B }
+test grows -> body C { left B }
+)",
+     R"(plsc 1
+alphabet plasticoding 1
+sense hot: bool
+environment summer { hot = True }
+rule C -> if hot = True then { C add_left B }
+test grows in summer -> body C { left B }
+)"},
+    {"P2021", ExampleKind::kGenotype,
+     R"(An expected body starts with the one core, C. In braces behind a module
+stand the modules at its faces: front, left and right of C and B, front
+of the joints A1 and A2, none of the sensor T.
+)",
+     R"(plsc 1
+alphabet plasticoding 1
+rule C -> { C add_left A1(0.5, 1.0, 2.0, 3.0) move_left add_front B }
+test arm -> body C { left A1 { left B } }
+)",
+     R"(plsc 1
+alphabet plasticoding 1
+rule C -> { C add_left A1(0.5, 1.0, 2.0, 3.0) move_left add_front B }
+test arm after 1 -> body C { left A1 { front B } }
+)"},
 };
 
 }  // namespace

@@ -28,8 +28,8 @@ rule B -> if hot = False then { T(0.1) }
     {"P3002", ExampleKind::kCommand,
      R"(A genotype has at most 65534 rules and 1000 states; a state has at most
 1000 values, an alphabet at most 1000 symbols, a file at most 1000
-constants. No robot comes near; a file that does was written by a
-program gone wrong.
+constants, and an expected body at most 100 modules from the core outward.
+No robot comes near; a file that does was written by a program gone wrong.
 )",
      R"(plsc check crowded.pls
 )",
@@ -52,6 +52,23 @@ alphabet plasticoding 1
 iterations 3
 rule C -> { C B }
 rule B -> { B B }
+)"},
+    {"P4002", ExampleKind::kTest,
+     R"(A 'test' item expects another string or body than what develops. The
+caret is at the first symbol or module that is otherwise, and the note
+has all that developed. Arguments that the test leaves out may be any.
+)",
+     R"(plsc 1
+alphabet plasticoding 1
+iterations 1
+rule C -> { C add_left T(0.5) }
+test grows -> { C add_left B }
+)",
+     R"(plsc 1
+alphabet plasticoding 1
+iterations 1
+rule C -> { C add_left T(0.5) }
+test grows -> { C add_left T }
 )"},
     {"W1001", ExampleKind::kGenotype,
      R"(A comment that begins with "plsc:" speaks to the compiler: "allow CODE"

@@ -17,6 +17,7 @@ enum class ExampleKind : std::uint8_t {
   kGenotype,    ///< compiled
   kLint,        ///< compiled, then looked at for advice (runtime/lint.h)
   kDevelop,     ///< compiles, but cannot be developed
+  kTest,        ///< compiles, but its own tests fail
   kExperiment,  ///< YAML, read as an experiment
   kCommand,     ///< a command line: the file itself cannot be shown
 };

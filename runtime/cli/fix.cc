@@ -6,6 +6,7 @@
 #include "compiler/apply_fixes.h"
 #include "grammar/shown_line.h"
 #include "runtime/cli/commands.h"
+#include "runtime/formats/unified_diff.h"
 
 namespace plsc::cli {
 
@@ -33,10 +34,15 @@ bool HasErrors(const std::vector<Diagnostic>& diagnostics) {
       [](const Diagnostic& d) { return d.severity == Severity::kError; });
 }
 
+// Whether files stay as they are.
+bool IsDryRun(const FixCommand& command) {
+  return command.check || command.diff;
+}
+
 // Where the mended text goes. Whether it went there.
 bool Deliver(const std::string& file, const MendedText& mended,
              const FixCommand& command, Io& io) {
-  if (command.check) return true;
+  if (IsDryRun(command)) return true;
   if (file == "-") {
     io.out << mended.text;
     return true;
@@ -60,18 +66,20 @@ bool FixOne(const std::string& file, const FixCommand& command, Io& io) {
   options.allow_out_of_range = command.allow_range;
   const MendedText mended = MendText(*source, options);
   if (!Deliver(file, mended, command, io)) return false;
+  if (command.diff)
+    io.out << UnifiedDiff(source->text(), mended.text, source->name(),
+                          source->name() + " (mended)");
   for (const MadeFix& fix : mended.made)
     io.err << fmt::format("{}:{}:{}: {} [{}]: {}\n", source->name(),
                           fix.position.line, fix.position.column,
-                          command.check ? "would fix" : "fixed", fix.code,
+                          IsDryRun(command) ? "would fix" : "fixed", fix.code,
                           Describe(fix));
-  // With --check the places are of a text that nobody has on disk.
-  const bool is_elsewhere = command.check && !mended.made.empty();
+  // The places are then of a text that nobody has on disk.
+  const bool is_elsewhere = IsDryRun(command) && !mended.made.empty();
   const std::string shown_name =
       is_elsewhere ? source->name() + " (mended)" : source->name();
   Report(mended.remaining, Source(shown_name, mended.text), io);
-  return !HasErrors(mended.remaining) &&
-         !(command.check && !mended.made.empty());
+  return !HasErrors(mended.remaining) && !is_elsewhere;
 }
 
 }  // namespace

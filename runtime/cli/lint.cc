@@ -27,7 +27,7 @@ bool LintOne(const std::string& file, const LintCommand& command, Io& io) {
   }
   CompileOptions options;
   options.allow_out_of_range = command.allow_range;
-  const Result<MappedProgram> compiled = CompileWithMap(*source, options);
+  const auto compiled = CompileAllWithMap(*source, options);
   std::vector<Diagnostic> diagnostics = compiled.diagnostics();
   if (compiled) {
     std::vector<Diagnostic> more = Lint(*compiled, *source);

@@ -3,10 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <ostream>
+#include <system_error>
 #include <utility>
 
 #include "compiler/print.h"
+#include "grammar/suggest.h"
 #include "runtime/derive.h"
 #include "runtime/environment.h"
 #include "runtime/growth.h"
@@ -71,23 +74,74 @@ std::optional<T> Checked(Result<T> result, const Source& source, Io& io) {
   return std::move(*result);
 }
 
+// The genotype that alone has a symbol there.
+std::optional<std::size_t> WrittenAt(const std::vector<MappedProgram>& all,
+                                     Position at, const Source& source) {
+  const auto offset = source.OffsetOf(at);
+  if (!offset) return std::nullopt;
+  std::optional<std::size_t> found;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (!FindSymbol(all[i].map, *offset)) continue;
+    if (found) return std::nullopt;
+    found = i;
+  }
+  return found;
+}
+
+// The genotype of that name, or the only one. Prints what is wrong.
+std::optional<std::size_t> Choose(const std::vector<MappedProgram>& all,
+                                  const std::string& name, const Source& source,
+                                  Io& io) {
+  if (name.empty()) {
+    if (all.size() == 1) return 0;
+    Report({SeveralGenotypes(source)}, source, io);
+    return std::nullopt;
+  }
+  std::vector<std::string_view> names;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    names.push_back(all[i].program.genotype.name);
+    if (names.back() == name) return i;
+  }
+  io.err << fmt::format("error[P2019]: {} has no genotype '{}'\n",
+                        source.name(), name);
+  if (const auto near = Suggest(name, names))
+    io.err << fmt::format("  = help: did you mean '{}'?\n", *near);
+  else
+    io.err << fmt::format("  = note: it holds {}\n", fmt::join(names, ", "));
+  return std::nullopt;
+}
+
 }  // namespace
 
-std::optional<Program> LoadProgram(const std::string& path, bool allow_range,
-                                   Io& io) {
-  const std::optional<Source> source = Read(path, io);
-  if (!source) return std::nullopt;
-  return Checked(Compile(*source, Options(allow_range)), *source, io);
+GenotypePath SplitGenotypePath(const std::string& path) {
+  const std::size_t hash = path.rfind('#');
+  std::error_code ignored;
+  if (hash == std::string::npos || std::filesystem::exists(path, ignored))
+    return {path, ""};
+  return {path.substr(0, hash), path.substr(hash + 1)};
 }
 
 std::optional<LoadedProgram> LoadWithMap(const std::string& path,
-                                         bool allow_range, Io& io) {
-  std::optional<Source> source = Read(path, io);
+                                         bool allow_range, Io& io,
+                                         const std::optional<Position>& at) {
+  const GenotypePath from = SplitGenotypePath(path);
+  std::optional<Source> source = Read(from.file, io);
   if (!source) return std::nullopt;
-  auto mapped =
-      Checked(CompileWithMap(*source, Options(allow_range)), *source, io);
-  if (!mapped) return std::nullopt;
-  return LoadedProgram{std::move(*source), std::move(*mapped)};
+  auto all =
+      Checked(CompileAllWithMap(*source, Options(allow_range)), *source, io);
+  if (!all) return std::nullopt;
+  std::optional<std::size_t> chosen;
+  if (at && from.genotype.empty()) chosen = WrittenAt(*all, *at, *source);
+  if (!chosen) chosen = Choose(*all, from.genotype, *source, io);
+  if (!chosen) return std::nullopt;
+  return LoadedProgram{std::move(*source), std::move((*all)[*chosen])};
+}
+
+std::optional<Program> LoadProgram(const std::string& path, bool allow_range,
+                                   Io& io) {
+  auto loaded = LoadWithMap(path, allow_range, io);
+  if (!loaded) return std::nullopt;
+  return std::move(loaded->mapped.program);
 }
 
 void ReportGrowth(const LoadedProgram& loaded, const NamedEnvironment& named,
@@ -96,9 +150,8 @@ void ReportGrowth(const LoadedProgram& loaded, const NamedEnvironment& named,
   const ActiveRules active = Regulate(genotype, named.environment);
   const std::uint64_t length = DerivedLength(genotype, active);
   if (length > kMaxStringLength) {
-    Report(
-        {GrowthError(loaded.mapped, loaded.source, active, length, named.name)},
-        loaded.source, io);
+    Report({GrowthError(loaded.mapped, active, length, named.name)},
+           loaded.source, io);
     return;
   }
   io.err << fmt::format(

@@ -11,7 +11,16 @@
 
 namespace plsc::cli {
 
-/// Reads and compiles; prints what is wrong (and warnings) to io.err.
+/// "zoo.pls#gecko": a genotype of a file. Without '#', or where a file has
+/// the whole text as its name, the file.
+struct GenotypePath {
+  std::string file;
+  std::string genotype;  ///< empty: the only one of the file
+};
+GenotypePath SplitGenotypePath(const std::string& path);
+
+/// Reads and compiles what a GenotypePath says; prints what is wrong (and
+/// warnings) to io.err.
 std::optional<Program> LoadProgram(const std::string& path, bool allow_range,
                                    Io& io);
 
@@ -20,9 +29,11 @@ struct LoadedProgram {
   MappedProgram mapped;
 };
 
-/// The same, with the text and where in it each part was written.
-std::optional<LoadedProgram> LoadWithMap(const std::string& path,
-                                         bool allow_range, Io& io);
+/// The same, with the text and where in it each part was written. A place in
+/// the text, `at`, chooses the genotype too.
+std::optional<LoadedProgram> LoadWithMap(
+    const std::string& path, bool allow_range, Io& io,
+    const std::optional<Position>& at = std::nullopt);
 
 /// Says that development would outgrow its limit in that environment.
 void ReportGrowth(const LoadedProgram& loaded, const NamedEnvironment& named,

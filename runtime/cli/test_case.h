@@ -1,7 +1,8 @@
 #pragma once
 
-// One golden test: a genotype in one environment, or what is wrong with the
-// file as a whole; and what came out. Made by test_file, shown by test_report.
+// One test: a genotype in one environment against its golden file, a `test`
+// item of the genotype's file, or what is wrong with the file as a whole; and
+// what came out. Made by test_file, shown by test_report.
 
 #include <cstdint>
 #include <string>
@@ -22,7 +23,7 @@ struct TestPaths {
 
 enum class Verdict : std::uint8_t {
   kSame,
-  kDiffers,     ///< `differences` says how
+  kDiffers,     ///< `differences` says how; of inline tests `message`
   kUnrecorded,  ///< there is no expectation; `message` says where it lacks
   kError,       ///< nothing to compare; `message` says why
   kUpdated,     ///< --update: the golden file has changed
@@ -32,7 +33,9 @@ struct TestCase {
   std::string environment;  ///< empty: the file as a whole
   Verdict verdict = Verdict::kSame;
   std::vector<Difference> differences;
-  std::string message;  ///< lines with their ends
+  std::string message;     ///< lines with their ends
+  std::string genotype{};  ///< of a file of several; else empty
+  std::string test{};      ///< name of an inline test; else empty
 
   bool is_failure() const {
     return verdict != Verdict::kSame && verdict != Verdict::kUpdated;

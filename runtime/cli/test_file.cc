@@ -12,6 +12,7 @@
 #include "runtime/derive.h"
 #include "runtime/environment.h"
 #include "runtime/formats/golden_json.h"
+#include "runtime/inline_test.h"
 
 namespace plsc::cli {
 
@@ -111,14 +112,44 @@ TestCase TestOne(const Program& program, double tolerance, bool update,
   return test;
 }
 
+using Programs = std::vector<MappedProgram>;
+
+// As golden files name the genotypes of files with several.
+std::string NameIn(const Programs& programs, const Program& program) {
+  return programs.size() == 1 ? "" : program.genotype.name;
+}
+
+// The genotype that a golden file means; null when there is none.
+const Program* Find(const Programs& programs, const std::string& name) {
+  for (const MappedProgram& mapped : programs)
+    if (NameIn(programs, mapped.program) == name) return &mapped.program;
+  return nullptr;
+}
+
+std::string UnknownGenotype(const Programs& programs, const std::string& name) {
+  if (programs.size() == 1)
+    return fmt::format(
+        "error: the genotype's file does not hold several, so 'genotype' "
+        "cannot be '{}'\n  = help: remove it from the golden file\n",
+        name);
+  if (name.empty())
+    return "error: the genotype's file holds several\n  = help: say which in "
+           "the golden file: \"genotype\": \"NAME\"\n";
+  return fmt::format("error: the genotype's file has no genotype '{}'\n", name);
+}
+
 // Environments that the genotype's file names and the golden file does not.
-void AddNamed(const Program& program, Golden& golden) {
-  for (const NamedEnvironment& named : program.environments) {
-    const bool is_there = std::any_of(
-        golden.cases.begin(), golden.cases.end(),
-        [&](const GoldenCase& c) { return c.environment == named.name; });
-    if (!is_there) golden.cases.push_back({named.name, std::nullopt});
-  }
+void AddNamed(const Programs& programs, Golden& golden) {
+  for (const MappedProgram& mapped : programs)
+    for (const NamedEnvironment& named : mapped.program.environments) {
+      const std::string genotype = NameIn(programs, mapped.program);
+      const bool is_there = std::any_of(
+          golden.cases.begin(), golden.cases.end(), [&](const GoldenCase& c) {
+            return c.genotype == genotype && c.environment == named.name;
+          });
+      if (!is_there)
+        golden.cases.push_back({named.name, std::nullopt, genotype});
+    }
 }
 
 std::string NoEnvironment(const TestPaths& paths) {
@@ -131,15 +162,20 @@ std::string NoEnvironment(const TestPaths& paths) {
       paths.golden, kGoldenVersion);
 }
 
-std::optional<Program> Load(const TestPaths& paths, std::string& problem) {
-  const Result<Source> source = ReadPath(paths.genotype);
+struct Loaded {
+  Source source;
+  Programs programs;
+};
+
+std::optional<Loaded> Load(const TestPaths& paths, std::string& problem) {
+  Result<Source> source = ReadPath(paths.genotype);
   if (!source) {
     problem = Unreadable(source);
     return std::nullopt;
   }
-  const Result<Program> program = Compile(*source);
-  if (program) return *program;
-  problem = Explain(program.diagnostics(), *source);
+  Result<Programs> programs = CompileAllWithMap(*source);
+  if (programs) return Loaded{std::move(*source), std::move(*programs)};
+  problem = Explain(programs.diagnostics(), *source);
   return std::nullopt;
 }
 
@@ -163,30 +199,80 @@ TestOutcome OneProblem(const TestPaths& paths, Verdict verdict,
   return outcome;
 }
 
-TestOutcome TestAll(const TestPaths& paths, const Program& program,
-                    Golden golden, bool update) {
+// The `test` items of the file itself.
+void TestInline(const Loaded& loaded, std::vector<TestCase>& cases) {
+  for (const MappedProgram& mapped : loaded.programs)
+    for (std::size_t i = 0; i < mapped.program.tests.size(); ++i) {
+      const InlineTest& inline_test = mapped.program.tests[i];
+      TestCase test;
+      test.environment = inline_test.place;
+      test.genotype = NameIn(loaded.programs, mapped.program);
+      test.test = inline_test.name;
+      if (const auto failure = RunInlineTest(mapped, i)) {
+        test.verdict = Verdict::kDiffers;
+        test.message = Explain({*failure}, loaded.source);
+      }
+      cases.push_back(std::move(test));
+    }
+}
+
+// Tests the environments of the golden file, which with `update` is changed.
+void TestGolden(const Programs& programs, bool update, Golden& golden,
+                std::vector<TestCase>& cases) {
+  for (GoldenCase& golden_case : golden.cases) {
+    const Program* program = Find(programs, golden_case.genotype);
+    cases.push_back(
+        program == nullptr
+            ? Problem(golden_case.environment,
+                      UnknownGenotype(programs, golden_case.genotype))
+            : TestOne(*program, golden.descriptor_tolerance, update,
+                      golden_case));
+    cases.back().genotype = golden_case.genotype;
+  }
+}
+
+TestOutcome TestAll(const TestPaths& paths, const Loaded& loaded,
+                    std::optional<Golden> golden, bool update) {
   TestOutcome outcome;
   outcome.tested.paths = paths;
   std::vector<TestCase>& cases = outcome.tested.cases;
-  for (GoldenCase& golden_case : golden.cases)
-    cases.push_back(
-        TestOne(program, golden.descriptor_tolerance, update, golden_case));
+  TestInline(loaded, cases);
+  if (!golden) return outcome;
+  TestGolden(loaded.programs, update, *golden, cases);
   const auto has = [&](Verdict verdict) {
     return std::any_of(cases.begin(), cases.end(),
                        [&](const TestCase& c) { return c.verdict == verdict; });
   };
   if (update && has(Verdict::kUpdated)) {
     if (!has(Verdict::kError)) {
-      outcome.new_golden = PrintGolden(golden);
+      outcome.new_golden = PrintGolden(*golden);
       return outcome;
     }
     for (TestCase& test : cases)
-      if (test.verdict == Verdict::kUpdated)
-        test = Problem(test.environment,
-                       "error: not updated, because another environment of "
-                       "the file cannot be\n");
+      if (test.verdict == Verdict::kUpdated) {
+        test.verdict = Verdict::kError;
+        test.message =
+            "error: not updated, because another environment of the file "
+            "cannot be\n";
+      }
   }
   return outcome;
+}
+
+bool HasInlineTests(const Programs& programs) {
+  return std::any_of(
+      programs.begin(), programs.end(),
+      [](const MappedProgram& m) { return !m.program.tests.empty(); });
+}
+
+// A golden file made from nothing. Empty when a person has to choose.
+Golden NewGolden(const Programs& programs) {
+  Golden golden;
+  for (const MappedProgram& mapped : programs)
+    for (std::string& name : DefaultEnvironments(mapped.program))
+      golden.cases.push_back(
+          {std::move(name), std::nullopt, NameIn(programs, mapped.program)});
+  return golden;
 }
 
 }  // namespace
@@ -199,25 +285,27 @@ TestOutcome TestFile(const TestPaths& paths, bool update) {
         paths, Verdict::kError,
         fmt::format("error: there is no genotype '{}' for the golden file\n",
                     paths.genotype));
-  const auto program = Load(paths, problem);
-  if (!program) return OneProblem(paths, Verdict::kError, problem);
-  if (!has_golden && !update)
+  const auto loaded = Load(paths, problem);
+  if (!loaded) return OneProblem(paths, Verdict::kError, problem);
+  if (!has_golden && !update) {
+    // Its own tests are expectation enough.
+    if (HasInlineTests(loaded->programs))
+      return TestAll(paths, *loaded, std::nullopt, update);
     return OneProblem(
         paths, Verdict::kUnrecorded,
         fmt::format("there is no golden file '{}'\n", paths.golden));
-  Golden golden;
+  }
+  std::optional<Golden> golden;
   if (has_golden) {
-    auto loaded = LoadGolden(paths, problem);
-    if (!loaded) return OneProblem(paths, Verdict::kError, problem);
-    golden = std::move(*loaded);
-    AddNamed(*program, golden);
+    golden = LoadGolden(paths, problem);
+    if (!golden) return OneProblem(paths, Verdict::kError, problem);
+    AddNamed(loaded->programs, *golden);
   } else {
-    for (std::string& name : DefaultEnvironments(*program))
-      golden.cases.push_back({std::move(name), std::nullopt});
-    if (golden.cases.empty())
+    golden = NewGolden(loaded->programs);
+    if (golden->cases.empty())
       return OneProblem(paths, Verdict::kError, NoEnvironment(paths));
   }
-  return TestAll(paths, *program, std::move(golden), update);
+  return TestAll(paths, *loaded, std::move(golden), update);
 }
 
 }  // namespace plsc::cli

@@ -50,8 +50,9 @@ std::string DifferenceLines(const TestCase& test) {
 }
 
 std::string CaseXml(const TestedFile& tested, const TestCase& test) {
-  const std::string name =
-      test.environment.empty() ? "(the file)" : test.environment;
+  std::string name = test.environment.empty() ? "(the file)" : test.environment;
+  if (!test.test.empty()) name = "test " + test.test;
+  if (!test.genotype.empty()) name = test.genotype + ": " + name;
   const std::string open =
       fmt::format("    <testcase classname=\"{}\" name=\"{}\"",
                   XmlText(tested.paths.genotype), XmlText(name));
@@ -66,6 +67,9 @@ std::string CaseXml(const TestedFile& tested, const TestCase& test) {
     case Verdict::kUpdated:
       return open + "/>\n";
     case Verdict::kDiffers:
+      if (!test.test.empty())
+        return with("failure", "the expectation of the file does not come out",
+                    test.message);
       return with("failure",
                   fmt::format("{} {} from {}", test.differences.size(),
                               test.differences.size() == 1 ? "difference"

@@ -29,6 +29,7 @@ std::string Indented(const std::string& lines) {
 
 std::string CaseText(const TestPaths& paths, const TestCase& test) {
   std::string name = paths.genotype;
+  if (!test.genotype.empty()) name += "#" + test.genotype;
   if (!test.environment.empty()) name += " in " + test.environment;
   switch (test.verdict) {
     case Verdict::kSame:
@@ -41,6 +42,8 @@ std::string CaseText(const TestPaths& paths, const TestCase& test) {
     case Verdict::kDiffers:
       break;
   }
+  // A diagnostic says where it is.
+  if (!test.test.empty()) return test.message;
   std::string text = fmt::format("{} differs from {}:\n", name, paths.golden);
   const std::size_t shown =
       std::min(test.differences.size(), kShownDifferences);
@@ -79,6 +82,9 @@ void Count(const TestedFile& tested, TestTotals& totals) {
     ++totals.tests;
     totals.same += test.verdict == Verdict::kSame ? 1 : 0;
     totals.differ += test.verdict == Verdict::kDiffers ? 1 : 0;
+    const bool is_recordable = test.verdict == Verdict::kDiffers ||
+                               test.verdict == Verdict::kUnrecorded;
+    totals.recordable += is_recordable && test.test.empty() ? 1 : 0;
     totals.unrecorded += test.verdict == Verdict::kUnrecorded ? 1 : 0;
     totals.errors += test.verdict == Verdict::kError ? 1 : 0;
     totals.updated += test.verdict == Verdict::kUpdated ? 1 : 0;
@@ -107,7 +113,7 @@ std::string TestSummary(const TestTotals& totals) {
     text += fmt::format(", {} error{}", totals.errors,
                         totals.errors == 1 ? "" : "s");
   text += "\n";
-  if (totals.differ + totals.unrecorded > 0)
+  if (totals.recordable > 0)
     text += "`plsc test --update` records what was found as expected\n";
   return text;
 }
@@ -118,6 +124,9 @@ std::string TestJson(const TestedFile& tested) {
     const Json json{
         {"file", tested.paths.genotype},
         {"golden", tested.paths.golden},
+        {"genotype",
+         test.genotype.empty() ? Json(nullptr) : Json(test.genotype)},
+        {"test", test.test.empty() ? Json(nullptr) : Json(test.test)},
         {"environment",
          test.environment.empty() ? Json(nullptr) : Json(test.environment)},
         {"verdict", VerdictName(test.verdict)},

@@ -17,6 +17,7 @@ struct TestTotals {
   int unrecorded = 0;
   int errors = 0;
   int updated = 0;
+  int recordable = 0;  ///< failures that --update would make expectations
 
   bool has_failures() const { return differ + unrecorded + errors > 0; }
 };
@@ -28,7 +29,8 @@ std::string TestText(const TestedFile& tested);
 /// The last line or two of the text.
 std::string TestSummary(const TestTotals& totals);
 
-/// A line a test: file, golden, environment (null: the file as a whole),
+/// A line a test: file, golden, genotype (null: the only one), test (name of
+/// an inline test, or null), environment (null: the file as a whole),
 /// verdict (same, differs, unrecorded, error, updated), differences (kind,
 /// what, expected, found), message.
 std::string TestJson(const TestedFile& tested);

@@ -42,7 +42,7 @@ FileAndPlace Split(const std::string& text) {
   const std::optional<int> column = CutNumber(&file);
   const std::optional<int> line = column ? CutNumber(&file) : std::nullopt;
   if (!line || file.empty()) return {text, std::nullopt};
-  // As diagnostics name it; "-:12:5" would look like an option.
+  // As diagnostics name it, and as arguments.cc names "-:12:5".
   if (file == "<stdin>") file = "-";
   return {file, Position{*line, *column}};
 }
@@ -174,7 +174,8 @@ Exit Run(const WhyCommand& command, Io& io) {
               "--edge\nsee 'plsc why --help'\n";
     return Exit::kBadUsage;
   }
-  const auto loaded = LoadWithMap(from.file, command.allow_range, io);
+  const auto loaded =
+      LoadWithMap(from.file, command.allow_range, io, from.place);
   if (!loaded) return Exit::kBadInput;
   const Genotype& genotype = loaded->mapped.program.genotype;
   if (question.part && !genotype.alphabet->is_built_in()) {

@@ -113,6 +113,8 @@ void AddRobot(const GoldenRobot& robot, Block& block) {
 
 std::string CaseText(const GoldenCase& golden) {
   Block block(6);
+  if (!golden.genotype.empty())
+    block.Add("genotype", Json(golden.genotype).dump());
   block.Add("environment", Json(golden.environment).dump());
   if (golden.expected) {
     const Observation& expected = *golden.expected;

@@ -159,30 +159,27 @@ Observation ReadExpected(JsonReader& reader, const JsonValue& value) {
 }
 
 GoldenCase ReadCase(JsonReader& reader, const JsonValue& value) {
-  static constexpr std::array<std::string_view, 11> kKnown{"environment",
-                                                           "senses",
-                                                           "active_rules",
-                                                           "string",
-                                                           "string_length",
-                                                           "string_hash",
-                                                           "body",
-                                                           "nodes",
-                                                           "edges",
-                                                           "body_descriptors",
-                                                           "brain_descriptors"};
+  static constexpr std::array<std::string_view, 12> kKnown{
+      "genotype", "environment",   "senses",           "active_rules",
+      "string",   "string_length", "string_hash",      "body",
+      "nodes",    "edges",         "body_descriptors", "brain_descriptors"};
   GoldenCase golden;
   if (!IsObject(reader, value, kKnown)) return golden;
+  const bool has_genotype = reader.Has(value, "genotype");
+  if (has_genotype) golden.genotype = reader.Text(value, "genotype");
   golden.environment = reader.Text(value, "environment");
-  if (value.json.size() > 1) golden.expected = ReadExpected(reader, value);
+  if (value.json.size() > (has_genotype ? 2 : 1))
+    golden.expected = ReadExpected(reader, value);
   return golden;
 }
 
 void ReadCases(JsonReader& reader, const JsonValue& root, Golden& golden) {
-  std::set<std::string> names;
+  std::set<std::pair<std::string, std::string>> names;
   reader.List(root, "environments", [&](const JsonValue& value) {
     golden.cases.push_back(ReadCase(reader, value));
-    const std::string& name = golden.cases.back().environment;
-    if (!names.insert(name).second)
+    const GoldenCase& last = golden.cases.back();
+    const std::string& name = last.environment;
+    if (!names.emplace(last.genotype, name).second)
       reader.Error(value, "P5102",
                    fmt::format("environment '{}' stands twice", name),
                    "every environment has one expectation");

@@ -42,7 +42,7 @@ std::string Align(const std::vector<Row>& rows) {
 
 std::string JoinedText(const Genotype& genotype, const ActiveRules& active,
                        SymbolId symbol) {
-  const auto& joined = active.joined[static_cast<std::size_t>(symbol)];
+  const auto joined = active.joined[static_cast<std::size_t>(symbol)];
   if (joined.empty()) return "stays";
   std::string text = "->";
   for (const Occurrence& o : joined)

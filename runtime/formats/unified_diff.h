@@ -2,8 +2,7 @@
 
 // The difference of two texts as `diff -u` prints it, by Myers' "An O(ND)
 // difference algorithm and its variations" (1986), the basic one, on lines.
-// Debian's libdtl-dev has the same algorithm: take it instead if this ever
-// needs more than lines.
+// docs/dependencies.md says why it is not a library's.
 
 #include <string>
 #include <string_view>

@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 #include <set>
+#include <string>
 
 #include "grammar/keywords.h"
 
@@ -59,6 +60,22 @@ TEST_CASE("Symbols are found by their exact name only", "[alphabet]") {
   const Alphabet& alphabet = *PlasticodingAlphabet();
   for (const char* name : {"", "c", "A3", "move_ref_i", "C "})
     CHECK_FALSE(alphabet.Find(name));
+}
+
+TEST_CASE("Each of a thousand symbols is found, the first of equal names",
+          "[alphabet]") {
+  std::vector<SymbolInfo> symbols;
+  for (int i = 0; i < 1000; ++i)
+    symbols.push_back(
+        {"s" + std::to_string(i), Category::kTerminal, false, {}, ""});
+  symbols.push_back(symbols[7]);
+  const Alphabet alphabet("own", 0, std::move(symbols));
+  for (int i = 0; i < 1000; ++i)
+    REQUIRE(alphabet.Find("s" + std::to_string(i)) == static_cast<SymbolId>(i));
+  CHECK_FALSE(alphabet.Find("s1000"));
+  const Alphabet copy = alphabet;
+  CHECK(copy.Find("s999") == static_cast<SymbolId>(999));
+  CHECK_FALSE(Alphabet("own", 0, {}).Find("x"));
 }
 
 TEST_CASE("Categories share out all symbols", "[alphabet]") {

@@ -139,6 +139,7 @@ TEST_CASE("A text cut at any byte gives a program or a reason", "[compile]") {
       const Source source("cut", text.substr(0, end));
       const Result<Program> result = Compile(source);
       REQUIRE((result || !result.diagnostics().empty()));
+      if (result) REQUIRE(Verify(*result).empty());
       CHECK_FALSE(Render(result.diagnostics(), source).find("P1199") !=
                   std::string::npos);
     }
@@ -157,6 +158,7 @@ TEST_CASE("A text with any byte changed gives a program or a reason",
         const Source source("changed", changed);
         const Result<Program> result = Compile(source);
         REQUIRE((result || !result.diagnostics().empty()));
+        if (result) REQUIRE(Verify(*result).empty());
         if (!result)
           REQUIRE_FALSE(Render(result.diagnostics(), source).empty());
       }

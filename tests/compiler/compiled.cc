@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "compiler/compile.h"
+#include "compiler/verify.h"
 
 namespace plsc::testing {
 
@@ -12,6 +13,8 @@ Program Compiled(const std::string& text) {
   INFO(text);
   INFO(Render(result.diagnostics(), source));
   REQUIRE(result);
+  // Compile itself asks this in debug builds only.
+  REQUIRE(Verify(*result) == std::vector<std::string>());
   return *result;
 }
 

@@ -1,5 +1,6 @@
-// docs/language.md is held to the code: its programs compile (or fail, where
-// marked), and its tables are those of the alphabet and of the codes.
+// The documents are held to the code: their programs compile (or fail, where
+// marked), and the tables of docs/language.md are those of the alphabet and of
+// the codes.
 
 #include <fmt/format.h>
 
@@ -46,6 +47,14 @@ std::vector<Block> BlocksOf(const fs::path& path) {
   return blocks;
 }
 
+std::vector<fs::path> Documents() {
+  const fs::path root(PLSC_SOURCE_DIR);
+  std::vector<fs::path> paths = {root / "README.md"};
+  for (const auto& entry : fs::recursive_directory_iterator(root / "docs"))
+    if (entry.path().extension() == ".md") paths.push_back(entry.path());
+  return paths;
+}
+
 std::string Documentation() {
   return testing::ReadFile(fs::path(PLSC_SOURCE_DIR) / "docs" / "language.md");
 }
@@ -62,20 +71,33 @@ std::string Between(const std::string& text, const std::string& name) {
 
 TEST_CASE("Programs in the documentation are what they claim to be", "[docs]") {
   std::vector<Block> blocks;
-  for (const auto& entry :
-       fs::recursive_directory_iterator(fs::path(PLSC_SOURCE_DIR) / "docs"))
-    if (entry.path().extension() == ".md")
-      for (Block& block : BlocksOf(entry.path()))
-        blocks.push_back(std::move(block));
-  REQUIRE(blocks.size() >= 6);
+  for (const fs::path& path : Documents())
+    for (Block& block : BlocksOf(path)) blocks.push_back(std::move(block));
+  REQUIRE(blocks.size() >= 12);
   for (const Block& block : blocks) {
     DYNAMIC_SECTION(block.where) {
       const Source source(block.where, block.text);
-      const Result<Program> result = Compile(source);
+      const auto result = CompileAll(source);
       INFO(Render(result.diagnostics(), source));
       CHECK(static_cast<bool>(result) == !block.is_error);
       if (!block.is_error) CHECK(Format(source));
     }
+  }
+}
+
+TEST_CASE("No program in the documentation is fenced otherwise", "[docs]") {
+  for (const fs::path& path : Documents()) {
+    std::istringstream file(testing::ReadFile(path));
+    std::string fence;  // the line that opened the block at hand
+    for (std::string line; std::getline(file, line);) {
+      CAPTURE(path, line);
+      const std::size_t text = line.find_first_not_of(' ');
+      if (text != std::string::npos && line.substr(text).starts_with("```"))
+        fence = fence.empty() ? line : "";
+      else if (line.starts_with("plsc "))
+        CHECK((fence == "```pls" || fence == "```pls error"));
+    }
+    CHECK(fence.empty());
   }
 }
 

@@ -32,6 +32,7 @@ class Generator {
     for (int i = 0; i < environments; ++i)
       program.environments.push_back(
           {"e" + std::to_string(i), MakeEnvironment(genotype)});
+    MakeTests(&program);
     return program;
   }
 
@@ -169,6 +170,52 @@ class Generator {
     for (std::size_t i = 0; i < parameters.size(); ++i)
       symbol.arguments[i] = ArgumentOf(parameters[i]);
     return symbol;
+  }
+
+  void MakeTests(Program* program) {
+    const Genotype& genotype = program->genotype;
+    const auto& environments = program->environments;
+    if (environments.empty() && !genotype.states.empty()) return;
+    for (int count = Below(3); count > 0; --count) {
+      InlineTest test;
+      test.name = "t" + std::to_string(count);
+      if (!environments.empty()) {
+        const NamedEnvironment& named = environments[static_cast<std::size_t>(
+            Below(static_cast<int>(environments.size())))];
+        test.place = named.name;
+        test.environment = named.environment;
+      }
+      if (Chance(2)) test.after = Below(genotype.development.iterations + 1);
+      if (genotype.alphabet->is_built_in() && Chance(2))
+        MakeBody(plasticoding::kC, 0, Face::kFront, &test.body);
+      else
+        MakeString(*genotype.alphabet, &test.string);
+      program->tests.push_back(std::move(test));
+    }
+  }
+
+  void MakeString(const Alphabet& alphabet,
+                  std::vector<ExpectedSymbol>* string) {
+    for (int symbols = 1 + Below(5); symbols > 0; --symbols) {
+      const auto id = static_cast<SymbolId>(
+          Below(static_cast<int>(alphabet.symbols().size())));
+      ExpectedSymbol expected{MakeSymbol(alphabet, id), true};
+      if (Chance(3) && !alphabet[id].parameters.empty())
+        expected = {Symbol{id, {}}, false};
+      string->push_back(expected);
+    }
+  }
+
+  void MakeBody(SymbolId module, int depth, Face face,
+                std::vector<ExpectedModule>* body) {
+    body->push_back({module, depth, face});
+    if (depth == 4 || module == plasticoding::kT) return;
+    const bool is_joint =
+        module == plasticoding::kA1 || module == plasticoding::kA2;
+    for (int f = 0; f < (is_joint ? 1 : kFaces); ++f)
+      if (Chance(3))
+        MakeBody(static_cast<SymbolId>(1 + Below(4)), depth + 1,
+                 static_cast<Face>(f), body);
   }
 
   void MakeRules(Genotype* genotype) {

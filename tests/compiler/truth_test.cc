@@ -1,6 +1,7 @@
 #include "compiler/truth.h"
 
 #include <catch2/catch.hpp>
+#include <random>
 
 #include "compiler/compiled.h"
 #include "compiler/random_genotype.h"
@@ -140,6 +141,38 @@ TEST_CASE("Tables of every shape agree with the clause", "[truth]") {
     inverse |= table;
     CHECK(inverse.Count() == product);
     CHECK_FALSE(TruthTable(product, false).First());
+  }
+}
+
+TEST_CASE("Clauses are counted as their table has it", "[truth]") {
+  // Up to eight bool states: six fit a word, more do not. The last is an enum.
+  std::vector<State> states(9);
+  states[8].type = StateType::kEnum;
+  states[8].values = {"a", "b", "c"};
+  std::mt19937 random(7);
+  const auto draw = [&](std::size_t count) { return random() % count; };
+  for (int i = 0; i < 3000; ++i) {
+    const std::size_t used = 1 + draw(states.size());
+    Clause clause;
+    for (std::size_t k = draw(13); k > 0; --k) {
+      if (!clause.terms.empty())
+        clause.connectives.push_back(draw(2) == 0 ? Connective::kAnd
+                                                  : Connective::kOr);
+      clause.terms.push_back(
+          {static_cast<StateId>(draw(used)),
+           draw(2) == 0 ? Comparison::kEqual : Comparison::kNotEqual,
+           static_cast<double>(draw(2))});
+    }
+    const Clause* const one = &clause;
+    const StateSpace space({&one, 1}, states);
+    int holds = 0;
+    for (int row = 0; row < *space.size(); ++row)
+      holds += NaiveHolds(clause, space.At(row)) ? 1 : 0;
+    const auto count = CountTruth(clause, states);
+    CAPTURE(i);
+    REQUIRE(count);
+    REQUIRE(count->holds == holds);
+    REQUIRE(count->total == *space.size());
   }
 }
 

@@ -23,7 +23,7 @@ TEST_CASE("A genotype may have the name of a word that begins no item",
 }
 
 TEST_CASE("Every item keyword is a keyword", "[keywords]") {
-  CHECK(ItemKeywords().size() == 12);
+  CHECK(ItemKeywords().size() == 13);
   for (const std::string_view word : ItemKeywords()) {
     CHECK(IsItemKeyword(word));
     CHECK(IsKeyword(word));
@@ -32,6 +32,24 @@ TEST_CASE("Every item keyword is a keyword", "[keywords]") {
   CHECK(IsKeyword("if"));
   CHECK_FALSE(IsItemKeyword("if"));
   CHECK_FALSE(IsItemKeyword(""));
+}
+
+TEST_CASE("Words that differ from a keyword in one letter are names",
+          "[keywords]") {
+  for (const char* keyword :
+       {"False", "and", "or", "plsc", "replaceable", "environment"}) {
+    const std::string word = keyword;
+    CHECK(IsKeyword(word));
+    CHECK_FALSE(IsKeyword(word.substr(1)));
+    CHECK_FALSE(IsKeyword(word + word + word + word + word + word + word));
+    for (std::size_t i = 0; i < word.size(); ++i)
+      for (char c = 1; c < 127; ++c) {
+        std::string other = word;
+        other[i] = c;
+        CAPTURE(other);
+        REQUIRE(IsKeyword(other) == (other == word));
+      }
+  }
 }
 
 }  // namespace

@@ -64,7 +64,7 @@ TEST_CASE("Blanks, line ends and comments may stand between any two tokens",
   }
 }
 
-TEST_CASE("Parsing goes on at the next line that starts an item", "[parse]") {
+TEST_CASE("Parsing goes on at the next item", "[parse]") {
   struct Row {
     const char* why;
     const char* text;
@@ -80,7 +80,18 @@ TEST_CASE("Parsing goes on at the next line that starts an item", "[parse]") {
        "rulle\niterations\nrule B -> }\nsense x\nrule T -> { B }",
        "P1101 P1108 P1115 P1115", 1},
       {"an indented item counts", "%\n  rule T -> { B }", "P1101", 1},
-      {"the rest of the line is lost", "% rule T -> { B }", "P1101", 0},
+      {"an item behind on the line counts", "% rule T -> { B }", "P1101", 1},
+      {"two broken items on a line",
+       "rule B -> { % } rule T -> { & } let a = 3", "P1116 P1116", 1},
+      {"each of the items that a line may go on with",
+       "% sense a: bool % alphabet a 1 % let a = 1 % environment a { } "
+       "% test a -> { B } % test b in c -> { B }",
+       "P1101 P1101 P1101 P1101 P1101 P1101", 6},
+      {"a word that is reserved is no item", "sense rule: bool\naxiom rule",
+       "P1102 P1102", 0},
+      {"nor in a production", "rule B -> { B rule T }\naxiom B", "P1107", 1},
+      {"nor the end of a longer word", "% my_rule T -> { B }", "P1101", 0},
+      {"nor in a comment", "% # rule T -> { B }", "P1101", 0},
       {"a keyword within a word is none", "%\nruler\nrule T -> { B }", "P1101",
        1},
   };

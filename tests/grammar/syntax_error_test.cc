@@ -39,5 +39,34 @@ TEST_CASE("A name of an item that is nearly one is corrected",
   CHECK(found.fixes[0].replacement == "environment");
 }
 
+TEST_CASE("A version that is no whole number is named as it stands",
+          "[syntax_error]") {
+  struct Row {
+    const char* text;
+    const char* message;
+    std::size_t fixes;
+  };
+  const char* const kMissing = "expected the language version after 'plsc'";
+  const char* const kNotWhole = "the language version is a whole number, found";
+  const Row rows[] = {
+      {"plsc 1.5\nrule", kNotWhole, 1}, {"plsc v1", kNotWhole, 1},
+      {"plsc 2.5 # new", kNotWhole, 0}, {"plsc -1", kNotWhole, 0},
+      {"plsc one", kMissing, 0},        {"plsc", kMissing, 0},
+      {"plsc \"1\"", kMissing, 0},      {"plsc\n1.5", kMissing, 0},
+  };
+  for (const Row& row : rows) {
+    SyntaxContext context;
+    context.text = row.text;
+    context.offset = 4;
+    context.previous_end = 4;
+    const Diagnostic found =
+        DescribeSyntaxError(SyntaxError::kVersionNumber, context);
+    CAPTURE(row.text, found.message);
+    CHECK(found.code == "P5001");
+    CHECK(found.message.starts_with(row.message));
+    CHECK(found.fixes.size() == row.fixes);
+  }
+}
+
 }  // namespace
 }  // namespace plsc

@@ -136,7 +136,7 @@ TEST_CASE("moving enters neither an empty slot nor a sensor", "[body_turtle]") {
   REQUIRE(turtle.Mount(ModuleType::kTouchSensor));
   turtle.Move(Slot::kFront);
   turtle.Move(Slot::kLeft);
-  turtle.MoveBack();  // at the start: nowhere to go
+  turtle.Move(Slot::kBack);  // at the start: nowhere to go
   turtle.SetSlot(Slot::kRight);
   REQUIRE(turtle.Mount(ModuleType::kBrick));
   CHECK(Last(turtle).parent == 0);
@@ -149,7 +149,7 @@ TEST_CASE("move_back leaves a joint towards its parent", "[body_turtle]") {
   REQUIRE(turtle.Mount(ModuleType::kVerticalJoint));
   turtle.Move(Slot::kLeft);  // on the core: nothing at its left
   turtle.Move(Slot::kFront);
-  turtle.MoveBack();
+  turtle.Move(Slot::kBack);
   turtle.SetSlot(Slot::kLeft);
   REQUIRE(turtle.Mount(ModuleType::kBrick));
   CHECK(Last(turtle).parent == 0);
@@ -177,8 +177,8 @@ TEST_CASE("move_to_new follows a mounted brick but no sensor",
   turtle.SetSlot(Slot::kLeft);
   REQUIRE(turtle.Mount(ModuleType::kBrick));
   CHECK(Last(turtle).parent == 1);
-  turtle.MoveBack();
-  turtle.MoveBack();
+  turtle.Move(Slot::kBack);
+  turtle.Move(Slot::kBack);
   turtle.SetSlot(Slot::kLeft);
   REQUIRE(turtle.Mount(ModuleType::kBrick));
   CHECK(Last(turtle).parent == 0);

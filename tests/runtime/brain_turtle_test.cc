@@ -63,7 +63,7 @@ TEST_CASE("commands without the nodes that they need do nothing",
   turtle.AddEdge(1);
   turtle.AddLoop(1);
   turtle.MutateEdge(1);
-  turtle.MutateAmplitude(1);
+  turtle.MutateParameter(&Node::amplitude, 1);
   turtle.MoveInputReference(1, 1);
   turtle.AddOscillator(Oscillator(0.5));
   turtle.AddLoop(1);  // needs an input as well
@@ -87,9 +87,9 @@ TEST_CASE("mutations are held to the ranges of the paper", "[brain_turtle]") {
   BrainTurtle turtle;
   turtle.AddInput(1, 0.25);
   turtle.AddOscillator(Oscillator(0.5));
-  turtle.MutateAmplitude(100);
-  turtle.MutatePeriod(-100);
-  turtle.MutatePhaseOffset(0.5);
+  turtle.MutateParameter(&Node::amplitude, 100);
+  turtle.MutateParameter(&Node::period, -100);
+  turtle.MutateParameter(&Node::phase_offset, 0.5);
   turtle.MutateEdge(-3);
   const Brain brain = std::move(turtle).TakeBrain();
   CHECK(brain.nodes[1].amplitude == 10);

@@ -42,7 +42,7 @@ TEST_CASE("Lints find what programs announce, and nothing else", "[lint]") {
     const Result<MappedProgram> compiled = CompileWithMap(source);
     INFO(Render(compiled.diagnostics(), source));
     REQUIRE(compiled);
-    std::vector<Diagnostic> all = Lint(*compiled, source);
+    std::vector<Diagnostic> all = Lint({&*compiled, 1}, source);
     INFO(Render(all, source));
     all.insert(all.end(), compiled.diagnostics().begin(),
                compiled.diagnostics().end());

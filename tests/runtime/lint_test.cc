@@ -19,7 +19,7 @@ TEST_CASE("Growth is told with its place, its cause and its environments",
   const Source source("a", kGrowing);
   const auto compiled = CompileWithMap(source);
   REQUIRE(compiled);
-  const std::vector<Diagnostic> found = Lint(*compiled, source);
+  const std::vector<Diagnostic> found = Lint({&*compiled, 1}, source);
   REQUIRE(found.size() == 1);
   CHECK(found[0].code == "W4001");
   CHECK(source.PositionOf(found[0].span.begin).line == 6);
@@ -37,8 +37,8 @@ TEST_CASE("An environment in which it grows too long is an error", "[lint]") {
   REQUIRE(compiled);
   const Genotype& genotype = compiled->program.genotype;
   const ActiveRules active = Regulate(genotype, {{1, 0}});
-  const Diagnostic error = GrowthError(
-      *compiled, source, active, DerivedLength(genotype, active), "summer");
+  const Diagnostic error =
+      GrowthError(*compiled, active, DerivedLength(genotype, active), "summer");
   CHECK(error.code == "P4001");
   CHECK(error.severity == Severity::kError);
   CHECK(error.message.starts_with("in summer, development would produce"));
@@ -53,7 +53,7 @@ TEST_CASE("Warnings are sorted by their place", "[lint]") {
   const auto compiled = CompileWithMap(source);
   REQUIRE(compiled);
   std::string codes;
-  for (const Diagnostic& warning : Lint(*compiled, source))
+  for (const Diagnostic& warning : Lint({&*compiled, 1}, source))
     codes += warning.code + " ";
   CHECK(codes == "W3003 W4002 W3003 W4002 ");
 }

@@ -7,6 +7,7 @@
 #include "compiler/compile.h"
 #include "grammar/codes.h"
 #include "runtime/evolve/experiment.h"
+#include "runtime/inline_test.h"
 #include "runtime/lint.h"
 #include "tests/runtime/cli/run_plsc.h"
 
@@ -70,7 +71,13 @@ Codes CodesOfExample(ExampleKind kind, std::string_view example) {
   if (kind == ExampleKind::kLint) {
     const Result<MappedProgram> compiled = CompileWithMap(source);
     REQUIRE(compiled);
-    return CodesOf(Lint(*compiled, source));
+    return CodesOf(Lint({&*compiled, 1}, source));
+  }
+  if (kind == ExampleKind::kTest) {
+    const Result<MappedProgram> compiled = CompileWithMap(source);
+    REQUIRE(compiled);
+    const auto failure = RunInlineTest(*compiled, 0);
+    return failure ? Codes{failure->code} : Codes{};
   }
   const Result<Program> program = Compile(source);
   if (kind == ExampleKind::kDevelop) {

@@ -63,6 +63,28 @@ TEST_CASE("fix --check writes nothing and tells", "[fix]") {
   CHECK(RunPlsc({"fix", "--check", folder.Write("b.pls", kRight)}).exit == 0);
 }
 
+TEST_CASE("fix --diff prints what would change and writes nothing", "[fix]") {
+  const test::TemporaryFolder folder;
+  const std::string file = folder.Write("a.pls", kWrong);
+  const auto ran = RunPlsc({"fix", "--diff", file});
+  CHECK(ran.exit == 1);
+  CHECK(test::ReadFile(file) == kWrong);
+  CHECK(ran.out == "--- " + file + "\n+++ " + file +
+                       " (mended)\n@@ -1,3 +1,3 @@\n plsc 1\n alphabet "
+                       "plasticoding 1\n-rule B -> { add_lef, T(+0.5) "
+                       "}\n+rule B -> { add_left T(0.5) }\n");
+  CHECK(ran.err.find("would fix [P1116]") != std::string::npos);
+  const auto right = RunPlsc({"fix", "--diff", "-"}, kRight);
+  CHECK(right.exit == 0);
+  CHECK(right.out.empty());
+  // Nothing would change, and yet the input is wrong.
+  const auto hopeless =
+      RunPlsc({"fix", "--diff", "-"}, kHead + "rule wheel -> { B }\n");
+  CHECK(hopeless.exit == 1);
+  CHECK(hopeless.out.empty());
+  CHECK(RunPlsc({"fix", "--diff", "--check", "-"}, kRight).exit == 2);
+}
+
 TEST_CASE("fix of standard input prints the text", "[fix]") {
   const auto mended = RunPlsc({"fix", "-"}, kWrong);
   CHECK(mended.exit == 0);

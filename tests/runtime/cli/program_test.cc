@@ -51,5 +51,44 @@ TEST_CASE("a program is loaded with its text and its places", "[program]") {
   CHECK(err.str().find("P5014") != std::string::npos);
 }
 
+TEST_CASE("FILE#NAME chooses a genotype of a file", "[program]") {
+  const test::TemporaryFolder folder;
+  const std::string text =
+      "plsc 1\nalphabet plasticoding 1\n"
+      "genotype snake\nrule C -> { C add_front B }\n"
+      "genotype gecko\nrule C -> { C add_left B }\n";
+  const std::string path = folder.Write("zoo.pls", text);
+  const auto run = [&](const std::string& file) {
+    return test::RunPlsc({"develop", file, "--format", "json"});
+  };
+  CHECK(run(path + "#gecko").out.find("add_left") != std::string::npos);
+  CHECK(run(path + "#snake").out.find("add_front") != std::string::npos);
+  CHECK(run(path).exit == 1);
+  CHECK(run(path).err.find("as in '" + path + "#gecko'") != std::string::npos);
+  CHECK(run(path + "#geko").err.find("did you mean 'gecko'?") !=
+        std::string::npos);
+  CHECK(run(path + "#lizard").err.find("it holds snake, gecko") !=
+        std::string::npos);
+  // A file of that very name goes first.
+  const std::string odd = folder.Write("zoo.pls#gecko", text);
+  CHECK(run(odd).exit == 1);
+}
+
+TEST_CASE("A place in the text chooses the genotype", "[program]") {
+  const test::TemporaryFolder folder;
+  const std::string path =
+      folder.Write("zoo.pls",
+                   "plsc 1\nalphabet plasticoding 1\n"
+                   "rule B -> { B T(0.5) }\n"
+                   "genotype snake\nrule C -> { C add_front B }\n"
+                   "genotype gecko\nrule C -> { C add_left B }\n");
+  const auto own = test::RunPlsc({"why", path + ":7:15"});
+  CHECK(own.exit == 0);
+  CHECK(own.out.find("gecko in any") != std::string::npos);
+  // What both share is asked of one of them.
+  CHECK(test::RunPlsc({"why", path + ":3:15"}).exit == 1);
+  CHECK(test::RunPlsc({"why", path + "#snake:3:15"}).exit == 0);
+}
+
 }  // namespace
 }  // namespace plsc

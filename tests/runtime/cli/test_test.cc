@@ -53,6 +53,56 @@ TEST_CASE("test records, compares and shows what changed", "[test]") {
   CHECK(RunPlsc({"test", path}).exit == 0);
 }
 
+TEST_CASE("test runs the tests that a file states itself", "[test]") {
+  const test::TemporaryFolder folder;
+  const std::string text =
+      "plsc 1\nalphabet plasticoding 1\niterations 1\n"
+      "rule C -> { C add_left B }\n"
+      "test right -> body C { left B }\n";
+  const std::string path = folder.Write("a.pls", text);
+  CHECK(RunPlsc({"test", path}).out == "1 test of 1 file: 1 as expected\n");
+  folder.Write("a.pls", text + "test wrong -> { C add_left T }\n");
+  const auto differs = RunPlsc({"test", path});
+  CHECK(differs.exit == 1);
+  CHECK(Has(differs.out, "error[P4002]: test 'wrong' fails\n"));
+  CHECK(Has(differs.out, "a.pls:6:28\n"));
+  CHECK(Has(differs.out, "2 tests of 1 file: 1 as expected, 1 differs\n"));
+  // Only a person can say what was meant.
+  CHECK(!Has(differs.out, "--update"));
+  const auto json = RunPlsc({"test", "--format", "json", path});
+  CHECK(Has(json.out, R"("genotype":null,"test":"wrong","environment":null)"));
+  const auto junit = RunPlsc({"test", "--format", "junit", path});
+  CHECK(Has(junit.out, "name=\"test wrong\">"));
+  // Beside a golden file both count.
+  CHECK(RunPlsc({"test", "--update", path}).exit == 1);
+  CHECK(Has(RunPlsc({"test", path}).out, "3 tests of 1 file"));
+}
+
+TEST_CASE("test knows the genotypes of a file apart", "[test]") {
+  const test::TemporaryFolder folder;
+  const std::string text =
+      "plsc 1\nalphabet plasticoding 1\niterations 1\n"
+      "genotype a\nrule C -> { C add_left B }\n"
+      "genotype b\nrule C -> { C add_right B }\n"
+      "test body -> body C { right B }\n";
+  const std::string path = folder.Write("zoo.pls", text);
+  CHECK(RunPlsc({"test", "--update", path}).exit == 0);
+  CHECK(RunPlsc({"test", path}).out == "3 tests of 1 file: 3 as expected\n");
+  std::string changed = text;
+  changed.replace(changed.find("add_left"), 8, "add_front");
+  folder.Write("zoo.pls", changed);
+  const auto differs = RunPlsc({"test", path});
+  CHECK(differs.exit == 1);
+  CHECK(Has(differs.out, "zoo.pls#a in any differs from "));
+  CHECK(!Has(differs.out, "zoo.pls#b in any"));
+  // A golden file from before a genotype was renamed.
+  std::string renamed = text;
+  renamed.replace(renamed.find("genotype a"), 10, "genotype c");
+  folder.Write("zoo.pls", renamed);
+  CHECK(Has(RunPlsc({"test", path}).out,
+            "error: the genotype's file has no genotype 'a'\n"));
+}
+
 TEST_CASE("test --update leaves alone what is as expected", "[test]") {
   const test::TemporaryFolder folder;
   const std::string path = folder.Write("plastic.pls", test::kPlasticText);

@@ -56,6 +56,7 @@ TEST_CASE("why goes from a part back to its places in the file", "[why]") {
 TEST_CASE("why goes forward from a symbol in every environment", "[why]") {
   const auto ran = RunPlsc({"why", "<stdin>:7:48"}, kWalker);
   REQUIRE(ran.exit == 0);
+  CHECK(RunPlsc({"why", "-:7:48"}, kWalker).out == ran.out);
   CHECK(ran.out ==
         "A2(0.5, 2, 3, 1) of rule 2 (B, if inclined = True)\n"
         " --> <stdin>:7:46\n"

@@ -1,0 +1,13 @@
+#include "compiler/inline_test.h"
+
+#include <array>
+
+namespace plsc {
+
+std::string_view FaceName(Face face) {
+  constexpr std::array<std::string_view, kFaces> kNames = {"front", "left",
+                                                           "right"};
+  return kNames[static_cast<std::size_t>(face)];
+}
+
+}  // namespace plsc

@@ -1,4 +1,0 @@
-plsc 1
-genotype first
-alphabet plasticoding 1
-genotype second  # expect error[P2013]

@@ -1,3 +1,0 @@
-plsc 1
-alphabet plasticoding 1
-test flat  # expect error[P1101]

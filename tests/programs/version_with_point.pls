@@ -1,0 +1,3 @@
+plsc 1.5  # expect error[P5001]
+alphabet plasticoding 1
+rule B -> { wheel }  # expect error[P2001]
