@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <cstdarg>
@@ -68,8 +69,7 @@ World::Ode::Ode(const Assembly& assembly, const Terrain& on,
                 static_cast<int>(assembly.links.size()) <=
                     options.physics.max_direct_links) {
   OpenOde();
-  most_warnings =
-      physics.max_solver_failures * options.duration / physics.step;
+  most_warnings = physics.max_solver_failures * options.duration / physics.step;
   if (on.type == TerrainType::kRough) field.emplace(on.rough);
   world = dWorldCreate();
   // The default one is shared by all worlds and not safe between threads.
@@ -84,13 +84,17 @@ World::Ode::Ode(const Assembly& assembly, const Terrain& on,
   dWorldSetContactMaxCorrectingVel(world, physics.correcting_speed);
   dWorldSetContactSurfaceLayer(world, physics.surface_layer);
   dWorldSetQuickStepNumIterations(world, physics.solver_iterations);
+  std::size_t most_corners = 0;
   for (const Link& link : links) {
     AddBody(link, placement);
     corners.push_back(CornersOf(link));
+    most_corners = std::max(most_corners, 8 * link.boxes.size());
     for (const Box& box : link.boxes)
       if (static_cast<std::size_t>(box.module) >= touched.size())
         touched.resize(static_cast<std::size_t>(box.module) + 1);
   }
+  // A step asks for no memory. Other grounds grow theirs in the first steps.
+  found.reserve(most_corners);
   for (const Hinge& hinge : assembly.hinges)
     AddHinge(hinge, placement, options.servo);
   if (has_boxes) obstacle = dCreateBox(nullptr, 1, 1, 1);
@@ -169,6 +173,7 @@ bool World::Ode::TakeStep() {
   warnings_in_use = &warnings;
   try {
     Collide();
+    if (listener) listener(StepPart::kCollision);
     if (is_direct) {
       dWorldStep(world, physics.step);
     } else {
@@ -178,10 +183,13 @@ bool World::Ode::TakeStep() {
     is_lost = true;
   }
   warnings_in_use = nullptr;
+  if (listener) listener(StepPart::kSolver);
   dJointGroupEmpty(group);
-  if (is_lost)
-    return Fail(Outcome::kUnstable, "the solver met numbers beyond its range");
-  return IsSane();
+  const bool is_sane = is_lost ? Fail(Outcome::kUnstable,
+                                      "the solver met numbers beyond its range")
+                               : IsSane();
+  if (listener) listener(StepPart::kChecks);
+  return is_sane;
 }
 
 bool World::Ode::Fail(Outcome outcome, std::string reason) {
@@ -271,6 +279,10 @@ const World::Failure& World::failure() const {
 bool World::Step() {
   assert(!ode_->is_lost);
   return ode_->TakeStep();
+}
+
+void World::Listen(std::function<void(StepPart)> listener) {
+  ode_->listener = std::move(listener);
 }
 
 int World::joints() const {
