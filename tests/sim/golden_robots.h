@@ -44,10 +44,10 @@ inline Phenotype WithSenses(const Body& body) {
 }
 
 /// What the two profiles do on a flat and on a sloping ground, at full length
-/// of their differences and 3 s short.
+/// of their differences, 2 s short.
 inline SimulationOptions GoldenOptions(bool is_paper, bool is_tilted) {
   SimulationOptions options;
-  options.duration = 3;
+  options.duration = 2;
   if (is_paper) {
     options.controller = ControllerMode::kCoupled;
     options.start_height.reset();

@@ -92,7 +92,7 @@ TEST_CASE("Final states are those on file", "[golden]") {
 }
 
 TEST_CASE("Final states depend on nothing but the robot's own life",
-          "[golden]") {
+          "[golden][slow]") {
   const auto lives = test::GoldenLives();
   const Hashes once = HashAll(lives);
   SECTION("each life has its own") {

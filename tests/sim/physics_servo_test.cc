@@ -63,7 +63,6 @@ TEST_CASE("A servo follows a step as its gain, clamp and rate say",
       // Hinge and motor are soft by world_cfm, 1e-5 m/s per N: at most 0.7e-6
       // rad here, a step is up to 5000e-6.
       CHECK(life.joint_angle(0, i) == Approx(angle).margin(2e-6));
-      std::printf("servo %.3e\n", w);
       if (time < row.first - 1e-9) continue;
       const double phase = std::fmod(time / kPeriod + 1e-6, 1.0);
       const double target =

@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kPatience = 1000;  // ms
 
-TEST_CASE("Worker processes end lives in the same states", "[workers]") {
+TEST_CASE("Worker processes end lives in the same states", "[workers][slow]") {
   const auto lives = test::GoldenLives();
   std::map<int, std::string> expected;
   for (std::size_t i = 0; i < lives.size(); ++i)
