@@ -28,6 +28,11 @@ struct OdeFailure {};
 // 70 mm a step, which the next steps stop.
 constexpr double kDeepest = 0.1;
 
+// Bytes that a world's steps have from the start. ODE's own 64 KiB grow as a
+// robot meets the ground with more; this is more than 15 modules were seen to
+// take (about 200 KiB), so that no step asks for memory.
+constexpr unsigned kStepMemory = 1U << 18;
+
 /// Counts for the world that this thread steps, if any.
 thread_local int* warnings_in_use = nullptr;
 
@@ -76,6 +81,9 @@ World::Ode::Ode(const Assembly& assembly, const Terrain& on,
   threading = dThreadingAllocateSelfThreadedImplementation();
   dWorldSetStepThreadingImplementation(
       world, dThreadingImplementationGetFunctions(threading), threading);
+  // The factor, for absurd robots, is ODE's own.
+  const dWorldStepReserveInfo memory = {sizeof(memory), 1.2F, kStepMemory};
+  dWorldSetStepMemoryReservationPolicy(world, &memory);
   group = dJointGroupCreate(0);
   dWorldSetGravity(world, 0, 0, -physics.gravity);
   dWorldSetERP(world, physics.world_erp);

@@ -11,6 +11,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "runtime/develop.h"
@@ -59,8 +60,8 @@ struct Measured {
   std::vector<double> uphill;  ///< m/s, the paper's Speed
   std::vector<double> any;     ///< m/s, of displacement whatever its direction
   double seconds = 0;
-  double lived = 0;  ///< s
-  int failed = 0;    ///< lives not completed
+  double lived = 0;                 ///< s
+  std::vector<std::string> failed;  ///< why lives were not completed
 };
 
 Measured Try(const std::vector<Phenotype>& robots, const Way& way,
@@ -78,7 +79,7 @@ Measured Try(const std::vector<Phenotype>& robots, const Way& way,
     measured.seconds += CpuSeconds() - begin;
     measured.lived += static_cast<double>(life.steps) * way.step;
     const Behaviour behaviour = Measure(life, 1, MeasuredPoint::kMassCentre);
-    if (!behaviour.is_valid) ++measured.failed;
+    if (!behaviour.is_valid) measured.failed.push_back(life.reason);
     measured.uphill.push_back(behaviour.displacement_velocity_hill);
     measured.any.push_back(behaviour.displacement_velocity);
   }
@@ -144,7 +145,9 @@ void Run(std::size_t count, double duration) {
                RankCorrelation(measured.any, reference->any),
                RelativeError(measured.uphill, reference->uphill),
                measured.lived / measured.seconds,
-               measured.seconds / reference->seconds, measured.failed);
+               measured.seconds / reference->seconds, measured.failed.size());
+    for (const std::string& reason : measured.failed)
+      fmt::print("    {}\n", reason);
     std::fflush(stdout);
   }
   fmt::print(
