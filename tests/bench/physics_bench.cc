@@ -31,6 +31,7 @@ namespace plsc::bench {
 namespace {
 
 constexpr int kRobots = 12;           // of each size
+constexpr int kRounds = 3;            // of the same life; the quickest counts
 constexpr int kTurn = 50;             // steps an engine takes in turn
 constexpr unsigned kSeed = 20200217;  // any; the same robots each time
 
@@ -75,24 +76,26 @@ class Brains {
   std::vector<bool> touched_;
 };
 
-/// Sums over steps.
+/// Sums over all robots' turns.
 struct Cost {
   double seconds = 0;
   double contacts = 0;
   double bend = 0;  ///< rad, of the joints' absolute angles: do servos work?
   double joints = 0;
-
-  double Microseconds(double steps) const { return 1e6 * seconds / steps; }
 };
 
 template <typename Robot>
-void TakeTurn(Robot& robot, Brains& brains, std::int64_t from, Cost& cost) {
+double TakeTurn(Robot& robot, Brains& brains, std::int64_t from) {
   const double begin = CpuSeconds();
   for (std::int64_t step = from; step < from + kTurn; ++step) {
     brains.Act(step, robot);
     (void)robot.Step();
   }
-  cost.seconds += CpuSeconds() - begin;
+  return CpuSeconds() - begin;
+}
+
+template <typename Robot>
+void Look(const Robot& robot, Cost& cost) {
   cost.contacts += robot.contacts();
   for (int i = 0; i < robot.joints(); ++i)
     cost.bend += std::abs(robot.JointAngle(i));
@@ -101,7 +104,11 @@ void TakeTurn(Robot& robot, Brains& brains, std::int64_t from, Cost& cost) {
 
 struct Comparison {
   Cost ours, mujoco;
-  double steps = 0, turns = 0, links = 0;
+  double turns = 0, links = 0;
+
+  double Microseconds(const Cost& cost) const {
+    return 1e6 * cost.seconds / (turns * kTurn);
+  }
 };
 
 #ifdef PLSC_HAS_MUJOCO
@@ -113,34 +120,48 @@ struct Peer {
       : robot(MjcfOf(assembly, terrain, options,
                      StartOf(assembly, terrain, options, {}))),
         brains(phenotype, options) {}
-  void TakeTurnAt(std::int64_t step, Cost& cost) {
-    TakeTurn(robot, brains, step, cost);
-  }
+  double TakeTurnAt(std::int64_t step) { return TakeTurn(robot, brains, step); }
+  void LookAt(Cost& cost) const { Look(robot, cost); }
 };
 #else
 struct Peer {
   Peer(const Phenotype&, const Assembly&, const Terrain&,
        const SimulationOptions&) {}
-  void TakeTurnAt(std::int64_t, Cost&) {}
+  double TakeTurnAt(std::int64_t) { return 0; }
+  void LookAt(Cost&) const {}
 };
 #endif
 
-Comparison Compare(int size, const Terrain& terrain, double duration) {
-  const SimulationOptions options = Options(duration);
-  Comparison sum;
-  for (const Phenotype& phenotype : Robots(size)) {
-    const Assembly assembly = Assemble(phenotype.body);
+/// One robot's life, `kRounds` times; every turn's quickest is added.
+void CompareOne(const Phenotype& phenotype, const Terrain& terrain,
+                const SimulationOptions& options, Comparison& sum) {
+  const Assembly assembly = Assemble(phenotype.body);
+  const std::int64_t turns = StepsOf(options) / kTurn;
+  std::vector<double> ours(static_cast<std::size_t>(turns), 1e9);
+  std::vector<double> mujoco = ours;
+  for (int round = 0; round < kRounds; ++round) {
     World world(assembly, terrain, options);
     Brains brains(phenotype, options);
     Peer peer(phenotype, assembly, terrain, options);
-    sum.links += static_cast<double>(assembly.links.size()) / kRobots;
-    for (std::int64_t step = 0; step < StepsOf(options); step += kTurn) {
-      TakeTurn(world, brains, step, sum.ours);
-      peer.TakeTurnAt(step, sum.mujoco);
-      sum.steps += kTurn;
-      ++sum.turns;
+    for (std::size_t i = 0; i < ours.size(); ++i) {
+      const auto step = static_cast<std::int64_t>(i) * kTurn;
+      ours[i] = std::min(ours[i], TakeTurn(world, brains, step));
+      mujoco[i] = std::min(mujoco[i], peer.TakeTurnAt(step));
+      if (round > 0) continue;
+      Look(world, sum.ours);
+      peer.LookAt(sum.mujoco);
     }
   }
+  for (const double seconds : ours) sum.ours.seconds += seconds;
+  for (const double seconds : mujoco) sum.mujoco.seconds += seconds;
+  sum.turns += static_cast<double>(turns);
+  sum.links += static_cast<double>(assembly.links.size()) / kRobots;
+}
+
+Comparison Compare(int size, const Terrain& terrain, double duration) {
+  Comparison sum;
+  for (const Phenotype& phenotype : Robots(size))
+    CompareOne(phenotype, terrain, Options(duration), sum);
   return sum;
 }
 
@@ -156,8 +177,8 @@ void PrintComparison(double duration) {
     for (const double degrees : {0.0, 5.0}) {
       const Terrain terrain = degrees > 0 ? test::Slope(degrees) : Terrain{};
       const Comparison c = Compare(size, terrain, duration);
-      const double ours = c.ours.Microseconds(c.steps);
-      const double theirs = c.mujoco.Microseconds(c.steps);
+      const double ours = c.Microseconds(c.ours);
+      const double theirs = c.Microseconds(c.mujoco);
       fmt::print("{:>7} {:>5.1f} {:>6} | {:>7.1f} {:>6.0f} {:>8.1f} {:>5.2f} |",
                  size, c.links, degrees > 0 ? "5 deg" : "flat", ours,
                  5000 / ours, c.ours.contacts / c.turns,
