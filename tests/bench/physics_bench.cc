@@ -46,6 +46,7 @@ SimulationOptions Options(double duration) {
 std::vector<Phenotype> Robots(int size) {
   std::mt19937 random(kSeed);
   std::vector<Phenotype> robots;
+  robots.reserve(kRobots);
   for (int i = 0; i < kRobots; ++i) robots.push_back(RandomRobot(size, random));
   return robots;
 }

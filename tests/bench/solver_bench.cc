@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
+#include <numeric>
 #include <optional>
 #include <string>
 #include <vector>
@@ -125,6 +126,10 @@ double RelativeError(const std::vector<double>& values,
   return off / sum;
 }
 
+double Sum(const std::vector<double>& values) {
+  return std::accumulate(values.begin(), values.end(), 0.0);
+}
+
 void Run(std::size_t count, double duration) {
   const std::vector<Phenotype> robots = RandomRobots(count);
   double modules = 0;
@@ -134,18 +139,21 @@ void Run(std::size_t count, double duration) {
       "{} random robots with joints, {:.1f} modules on average, {} s "
       "on flat ground\n",
       count, modules / static_cast<double>(count), duration);
-  fmt::print("{:<24} {:>7} {:>7} {:>9} {:>8} {:>8} {:>7}\n", "solver, step",
-             "Speed", "any way", "error", "x real", "cost", "failed");
+  fmt::print("{:<24} {:>7} {:>7} {:>9} {:>7} {:>8} {:>8} {:>7}\n",
+             "solver, step", "Speed", "any way", "error", "moves", "x real",
+             "cost", "failed");
   std::optional<Measured> reference;
   for (const Way& way : kWays) {
     const Measured measured = Try(robots, way, duration);
     if (!reference) reference = measured;
-    fmt::print("{:<24} {:>7.3f} {:>7.3f} {:>9.3f} {:>8.0f} {:>8.2f} {:>7}\n",
-               way.name, RankCorrelation(measured.uphill, reference->uphill),
-               RankCorrelation(measured.any, reference->any),
-               RelativeError(measured.uphill, reference->uphill),
-               measured.lived / measured.seconds,
-               measured.seconds / reference->seconds, measured.failed.size());
+    fmt::print(
+        "{:<24} {:>7.3f} {:>7.3f} {:>9.3f} {:>7.2f} {:>8.0f} {:>8.2f} {:>7}\n",
+        way.name, RankCorrelation(measured.uphill, reference->uphill),
+        RankCorrelation(measured.any, reference->any),
+        RelativeError(measured.uphill, reference->uphill),
+        Sum(measured.any) / Sum(reference->any),
+        measured.lived / measured.seconds,
+        measured.seconds / reference->seconds, measured.failed.size());
     for (const std::string& reason : measured.failed)
       fmt::print("    {}\n", reason);
     std::fflush(stdout);
