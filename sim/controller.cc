@@ -69,9 +69,9 @@ double Controller::Coupled(std::size_t node, double free_output,
   return std::clamp(output, 0.0, 1.0);
 }
 
-std::vector<double> Controller::Update(double time,
-                                       const std::vector<bool>& touched) {
-  std::vector<double> outputs(joints_, kRestOutput);
+const std::vector<double>& Controller::Update(
+    double time, const std::vector<bool>& touched) {
+  outputs_.assign(joints_, kRestOutput);
   for (std::size_t i = 0; i < brain_.nodes.size(); ++i) {
     const Node& node = brain_.nodes[i];
     if (node.type != NodeType::kOscillator) continue;
@@ -79,9 +79,9 @@ std::vector<double> Controller::Update(double time,
     if (mode_ == ControllerMode::kCoupled) output = Coupled(i, output, touched);
     // Safe within the loop: a loop edge reads its own node only.
     previous_[i] = output;
-    outputs[static_cast<std::size_t>(joint_of_node_[i])] = output;
+    outputs_[static_cast<std::size_t>(joint_of_node_[i])] = output;
   }
-  return outputs;
+  return outputs_;
 }
 
 }  // namespace plsc

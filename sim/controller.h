@@ -27,8 +27,10 @@ class Controller {
   Controller(const Phenotype& phenotype, ControllerMode mode);
 
   /// One update. `touched` by Body::modules. Gives the outputs by joint, in
-  /// the order of Body::modules; 0.5 for a joint without oscillator.
-  std::vector<double> Update(double time, const std::vector<bool>& touched);
+  /// the order of Body::modules, valid until the next update; 0.5 for a joint
+  /// without oscillator.
+  const std::vector<double>& Update(double time,
+                                    const std::vector<bool>& touched);
 
   /// What loops remember: the latest output by node, 0.5 before the first.
   const std::vector<double>& memory() const { return previous_; }
@@ -44,6 +46,7 @@ class Controller {
   std::vector<int> joint_of_node_;  ///< kNoModule for inputs
   std::size_t joints_ = 0;
   std::vector<double> previous_;
+  std::vector<double> outputs_;  ///< kept: a step asks for no memory
 };
 
 }  // namespace plsc

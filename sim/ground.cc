@@ -32,6 +32,10 @@ const GroundContact& Best(const std::vector<GroundContact>& contacts,
 // triangles are larger by far; what is smaller is rounding.
 constexpr double kNoArea = 1e-9;
 
+// m. More than sums of lengths below 1 m lose, less than any depth of concern:
+// a corner is never passed over.
+constexpr double kRoundOff = 1e-12;
+
 /// -1, 1 and, if the side is long, 0.
 std::vector<double> Places(double side) {
   if (side > kFineSide) return {-1, 0, 1};
@@ -89,6 +93,8 @@ void AppendGroundContacts(const LinkCorners& link, const LinkPose& pose,
   // The normal is turned into the link's frame once, not every corner out.
   const Vector3d up = pose.axes.transpose() * normal;
   for (const BoxCorners& box : link.boxes) {
+    // Most boxes of most robots are in the air: one test spares eight.
+    if (height + up.dot(box.centre) > box.radius + kRoundOff) continue;
     for (int corner = 0; corner < 8; ++corner) {
       const Vector3d point = box.points.col(corner);
       const double depth = -(height + up.dot(point));
@@ -123,10 +129,13 @@ void AppendRoughContacts(const LinkCorners& link, const LinkPose& pose,
   }
 }
 
-std::vector<GroundContact> Spanning(const std::vector<GroundContact>& contacts,
-                                    const Vector3d& normal) {
-  if (contacts.size() <= static_cast<std::size_t>(kMaxGroundContacts))
-    return contacts;
+FewContacts Spanning(const std::vector<GroundContact>& contacts,
+                     const Vector3d& normal) {
+  FewContacts few;
+  if (contacts.size() <= few.contacts.size()) {
+    for (const GroundContact& contact : contacts) few.Add(contact);
+    return few;
+  }
   const GroundContact& first =
       Best(contacts, [](const GroundContact& c) { return c.depth; });
   const Vector3d& a = first.position;
@@ -139,7 +148,10 @@ std::vector<GroundContact> Spanning(const std::vector<GroundContact>& contacts,
   });
   const Vector3d& c = third.position;
   const double area = Area(a, b, c, normal);
-  if (std::abs(area) < kNoArea) return {first, second};
+  few.Add(first);
+  few.Add(second);
+  if (std::abs(area) < kNoArea) return few;
+  few.Add(third);
   // How far a point lies outside of the triangle, as the area it would add.
   const double side = area > 0 ? 1 : -1;
   const auto added = [&](const GroundContact& d) {
@@ -149,8 +161,8 @@ std::vector<GroundContact> Spanning(const std::vector<GroundContact>& contacts,
                       side * Area(c, a, p, normal)});
   };
   const GroundContact& fourth = Best(contacts, added);
-  if (added(fourth) < kNoArea) return {first, second, third};
-  return {first, second, third, fourth};
+  if (added(fourth) >= kNoArea) few.Add(fourth);
+  return few;
 }
 
 }  // namespace plsc

@@ -6,6 +6,8 @@
 // times as much when many bottoms lie in one plane). Geometry only.
 
 #include <Eigen/Core>
+#include <array>
+#include <cstddef>
 #include <vector>
 
 #include "sim/assembly.h"
@@ -70,9 +72,19 @@ void AppendRoughContacts(const LinkCorners& link, const LinkPose& pose,
                          const HeightField& field,
                          std::vector<GroundContact>& contacts);
 
+/// A few contacts without memory of the heap, which every step would ask for.
+struct FewContacts {
+  std::array<GroundContact, kMaxGroundContacts> contacts;
+  std::size_t count = 0;
+
+  void Add(const GroundContact& contact) { contacts.at(count++) = contact; }
+  const GroundContact* begin() const { return contacts.data(); }
+  const GroundContact* end() const { return contacts.data() + count; }
+};
+
 /// At most kMaxGroundContacts of them: the deepest, the one farthest from it,
 /// and the two that widen the support most. Fewer if the rest adds no width.
-std::vector<GroundContact> Spanning(const std::vector<GroundContact>& contacts,
-                                    const Eigen::Vector3d& normal);
+FewContacts Spanning(const std::vector<GroundContact>& contacts,
+                     const Eigen::Vector3d& normal);
 
 }  // namespace plsc

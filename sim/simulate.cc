@@ -31,7 +31,7 @@ class Drive {
     if (world.joints() == 0) return;
     const std::optional<double> due = schedule_.Due(step);
     if (!due) return;
-    const auto outputs = controller_.Update(birth_ + *due, world.touched());
+    const auto& outputs = controller_.Update(birth_ + *due, world.touched());
     for (int joint = 0; joint < world.joints(); ++joint)
       world.SetJointSpeed(joint,
                           ServoSpeed(outputs[static_cast<std::size_t>(joint)],

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <cstdarg>
@@ -26,6 +27,11 @@ struct OdeFailure {};
 // m, that all of a link may be below the ground. A fall from 10 m ends in it:
 // 70 mm a step, which the next steps stop.
 constexpr double kDeepest = 0.1;
+
+// Bytes that a world's steps have from the start. ODE's own 64 KiB grow as a
+// robot meets the ground with more; this is more than 15 modules were seen to
+// take (about 200 KiB), so that no step asks for memory.
+constexpr unsigned kStepMemory = 1U << 18;
 
 /// Counts for the world that this thread steps, if any.
 thread_local int* warnings_in_use = nullptr;
@@ -75,6 +81,9 @@ World::Ode::Ode(const Assembly& assembly, const Terrain& on,
   threading = dThreadingAllocateSelfThreadedImplementation();
   dWorldSetStepThreadingImplementation(
       world, dThreadingImplementationGetFunctions(threading), threading);
+  // The factor, for absurd robots, is ODE's own.
+  const dWorldStepReserveInfo memory = {sizeof(memory), 1.2F, kStepMemory};
+  dWorldSetStepMemoryReservationPolicy(world, &memory);
   group = dJointGroupCreate(0);
   dWorldSetGravity(world, 0, 0, -physics.gravity);
   dWorldSetERP(world, physics.world_erp);
@@ -83,13 +92,17 @@ World::Ode::Ode(const Assembly& assembly, const Terrain& on,
   dWorldSetContactMaxCorrectingVel(world, physics.correcting_speed);
   dWorldSetContactSurfaceLayer(world, physics.surface_layer);
   dWorldSetQuickStepNumIterations(world, physics.solver_iterations);
+  std::size_t most_corners = 0;
   for (const Link& link : links) {
     AddBody(link, placement);
     corners.push_back(CornersOf(link));
+    most_corners = std::max(most_corners, 8 * link.boxes.size());
     for (const Box& box : link.boxes)
       if (static_cast<std::size_t>(box.module) >= touched.size())
         touched.resize(static_cast<std::size_t>(box.module) + 1);
   }
+  // A step asks for no memory. Other grounds grow theirs in the first steps.
+  found.reserve(most_corners);
   for (const Hinge& hinge : assembly.hinges)
     AddHinge(hinge, placement, options.servo);
   if (has_boxes) obstacle = dCreateBox(nullptr, 1, 1, 1);
@@ -168,6 +181,7 @@ bool World::Ode::TakeStep() {
   warnings_in_use = &warnings;
   try {
     Collide();
+    if (listener) listener(StepPart::kCollision);
     if (is_direct) {
       dWorldStep(world, physics.step);
     } else {
@@ -177,10 +191,13 @@ bool World::Ode::TakeStep() {
     is_lost = true;
   }
   warnings_in_use = nullptr;
+  if (listener) listener(StepPart::kSolver);
   dJointGroupEmpty(group);
-  if (is_lost)
-    return Fail(Outcome::kUnstable, "the solver met numbers beyond its range");
-  return IsSane();
+  const bool is_sane = is_lost ? Fail(Outcome::kUnstable,
+                                      "the solver met numbers beyond its range")
+                               : IsSane();
+  if (listener) listener(StepPart::kChecks);
+  return is_sane;
 }
 
 bool World::Ode::Fail(Outcome outcome, std::string reason) {
@@ -270,6 +287,10 @@ const World::Failure& World::failure() const {
 bool World::Step() {
   assert(!ode_->is_lost);
   return ode_->TakeStep();
+}
+
+void World::Listen(std::function<void(StepPart)> listener) {
+  ode_->listener = std::move(listener);
 }
 
 int World::joints() const {

@@ -7,6 +7,7 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -23,6 +24,13 @@ namespace plsc {
 struct LinkMotion {
   Eigen::Vector3d velocity;  ///< m/s, of the centre of mass
   Eigen::Vector3d spin;      ///< rad/s, world frame
+};
+
+/// What a step is made of, in this order.
+enum class StepPart : std::uint8_t {
+  kCollision,  ///< contacts are found and handed to the solver
+  kSolver,     ///< ODE's step
+  kChecks,     ///< contacts are dropped, the new state is judged
 };
 
 class World {
@@ -48,6 +56,10 @@ class World {
   /// One PhysicsOptions::step. False if the world went wrong: failure() tells
   /// how. It must not be stepped again then.
   [[nodiscard]] bool Step();
+
+  /// Calls `listener` at the end of each part of every step, to tell where
+  /// time goes: the world itself reads no clock.
+  void Listen(std::function<void(StepPart)> listener);
 
   struct Failure {
     Outcome outcome = Outcome::kCompleted;

@@ -33,8 +33,7 @@ void World::Ode::AddContact(const dContactGeom& geometry, const ContactLaw& law,
   ++contacts;
 }
 
-void World::Ode::Push(std::size_t link,
-                      const std::vector<GroundContact>& points) {
+void World::Ode::Push(std::size_t link, const FewContacts& points) {
   for (const GroundContact& contact : points) {
     dContactGeom geometry = {};
     for (int i = 0; i < 3; ++i) {

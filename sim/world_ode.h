@@ -7,6 +7,7 @@
 #include <ode/ode.h>
 
 #include <Eigen/Core>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -63,6 +64,7 @@ struct World::Ode {
   bool is_direct = true;
   bool is_lost = false;  ///< interrupted within a step
   World::Failure failure;
+  std::function<void(StepPart)> listener;  ///< may be empty
   Ode* next_kept = nullptr;
 
   Ode(const Assembly& assembly, const Terrain& terrain,
@@ -82,7 +84,7 @@ struct World::Ode {
   void CollideObstacles(std::size_t link);
   void CollideObstacle(std::size_t link, std::size_t box,
                        const StaticBox& other);
-  void Push(std::size_t link, const std::vector<GroundContact>& points);
+  void Push(std::size_t link, const FewContacts& points);
   void CollideLinks(std::size_t a, std::size_t b);
   void CollideBoxes(std::size_t a, std::size_t b, std::size_t box_a,
                     std::size_t box_b);

@@ -9,12 +9,14 @@ namespace {
 
 using nlohmann::json;
 
-// The file's points are doubles, computed in another order than ours.
-constexpr double kExact = 1e-9;
-// Its centres of mass alone are rounded to 7 digits, as are the joint poses
-// that its inertias are taken about; no link's centre is beyond 1 m.
-constexpr double kRounded = 5e-7;
-constexpr double kInertia = 1e-11;  // kg m2; the smallest are 6e-7
+// The file's numbers are doubles with all their digits, computed in another
+// order than ours: some roundings of 1e-16 apart, relative to at most 1 m.
+constexpr double kExact = 1e-14;    // m, kg
+constexpr double kInertia = 1e-17;  // kg m2; none is above 0.01
+// But for centres of mass, which it rounds to 7 digits. None is beyond 1 m, so
+// that is at most half a unit of the 7th decimal. Its inertias are about the
+// unrounded centres.
+constexpr double kRounded = 5.0001e-8;
 
 Eigen::Vector3d VectorOf(const json& numbers) {
   return {numbers.at(0).get<double>(), numbers.at(1).get<double>(),
@@ -59,16 +61,32 @@ void CheckBoxes(const Body& body, const Link& link, const json& expected) {
   }
 }
 
+/// m, of mass: from the file's own boxes, with all digits.
+Eigen::Vector3d ExactCentre(const Link& ours, const Body& body,
+                            const json& boxes) {
+  std::map<std::string, double> masses;
+  for (const Box& box : ours.boxes) masses[BoxName(body, box)] = box.mass;
+  Eigen::Vector3d moment = Eigen::Vector3d::Zero();
+  for (const json& box : boxes)
+    moment += masses.at(box.at("name").get<std::string>()) *
+              VectorOf(box.at("center"));
+  return moment / ours.mass;
+}
+
 void CheckLink(const Body& body, const Link& link, const json& expected) {
   CHECK(std::abs(link.mass - expected.at("mass").get<double>()) < kExact);
-  CHECK(Distance(link.centre, expected.at("com")) < kRounded);
+  CheckBoxes(body, link, expected.at("boxes"));
+  const json& boxes = expected.at("boxes");
+  CHECK((link.centre - ExactCentre(link, body, boxes)).norm() < kExact);
+  for (int i = 0; i < 3; ++i)
+    CHECK(std::abs(link.centre(i) - VectorOf(expected.at("com"))(i)) <
+          kRounded);
   const json& inertia = expected.at("inertia");
   std::size_t next = 0;
   for (int row = 0; row < 3; ++row)
     for (int column = row; column < 3; ++column)
       CHECK(std::abs(link.inertia(row, column) -
                      inertia.at(next++).get<double>()) < kInertia);
-  CheckBoxes(body, link, expected.at("boxes"));
 }
 
 void CheckHinges(const Body& body, const Assembly& assembly,
