@@ -210,11 +210,12 @@ TEST_CASE("In one life the robot changes where it stands", "[evaluation]") {
                                        Change::kBody, Change::kNone};
   for (std::size_t i = 0; i < 4; ++i) {
     INFO(i);
-    const auto& [result, trajectory] = lived[i];
+    const auto& [result, trajectory, robot] = lived[i];
     CHECK(result.outcome == Outcome::kCompleted);
     CHECK(result.begin == Approx(2.0 * static_cast<double>(i)));
     CHECK(trajectory.time(0) == Approx(result.begin));
     CHECK(result.change == changes[i]);
+    CHECK(robot.has_value());
     if (i == 0) continue;
     // Where it was, seen along the ground: slopes of 5 degrees turn it a bit.
     const auto& before = lived[i - 1].trajectory.core_position;
