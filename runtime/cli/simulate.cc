@@ -149,8 +149,7 @@ struct Record {
 };
 
 void PrintSeason(const SimulateCommand& command, const SeasonLife& life,
-                 const Scenario& scenario, const std::string& name,
-                 Record& record, Io& io) {
+                 const Scenario& scenario, const std::string& name, Io& io) {
   if (command.format == OutputFormat::kText) {
     PrintRow(life.result, io.out);
     PrintChange(life.result, scenario, io.out);
@@ -158,11 +157,6 @@ void PrintSeason(const SimulateCommand& command, const SeasonLife& life,
     io.out << SeasonJson(name, life.result) << '\n';
   }
   io.out.flush();  // a season takes a while; show each when it is done
-  const std::string& folder = command.trajectory_folder;
-  if (!folder.empty() && !WriteInto(folder, life.result.season + ".csv",
-                                    TrajectoryCsv(life.trajectory), io))
-    record.is_written = false;
-  record.results.push_back(life.result);
 }
 
 Record LiveAll(const SimulateCommand& command, const Genotype& genotype,
@@ -179,7 +173,12 @@ Record LiveAll(const SimulateCommand& command, const Genotype& genotype,
     if (is_recording)
       record.recording.seasons.push_back(RecordSeason(
           scenario.seasons[record.results.size()], life, std::move(motion)));
-    PrintSeason(command, life, scenario, genotype.name, record, io);
+    PrintSeason(command, life, scenario, genotype.name, io);
+    const std::string& folder = command.trajectory_folder;
+    if (!folder.empty() && !WriteInto(folder, life.result.season + ".csv",
+                                      TrajectoryCsv(life.trajectory), io))
+      record.is_written = false;
+    record.results.push_back(life.result);
     if (!record.is_written || InterruptHandler::is_interrupted()) break;
   }
   return record;
