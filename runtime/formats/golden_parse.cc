@@ -41,6 +41,10 @@ GoldenModule ReadModule(JsonReader& reader, const JsonValue& value) {
   if (reader.Has(value, "parent") || reader.Has(value, "slot")) {
     module.parent = reader.Text(value, "parent");
     module.slot = reader.Text(value, "slot");
+    // Empty ones mean the core, which has neither key.
+    if (module.parent.empty() || module.slot.empty())
+      reader.Error(value, "P5107", "expected the id of a module and its slot",
+                   "the core has neither 'parent' nor 'slot'");
   }
   if (reader.Has(value, "x") || reader.Has(value, "y") ||
       reader.Has(value, "facing")) {
@@ -117,6 +121,9 @@ GoldenString ReadString(JsonReader& reader, const JsonValue& value) {
     string.length = static_cast<std::size_t>(
         reader.Integer(value, "string_length", 0, kMaxInt));
     string.hash = reader.Text(value, "string_hash");
+    if (string.hash.empty())
+      reader.Error(value, "P5107", "expected the hash of a long string",
+                   "shorter strings have neither hash nor length");
   }
   return string;
 }

@@ -57,6 +57,10 @@ TEST_CASE("bad golden files are refused at their place", "[golden]") {
        "1:20", "did you mean 'environments'"},
       {"unknown key inside", Environments(R"({"environment": "a", "bdy": []})"),
        "P5101", "1:58", "did you mean 'body'"},
+      {"a module of nothing",
+       Environments(R"({"environment": "a", "body": [{"id": "2", "type": "B",)"
+                    R"( "parent": "", "slot": "left", "angle": 0}]})"),
+       "P5107", "1:67", "the id of a module"},
       {"a key twice", R"({"plsc_golden": 1, "plsc_golden": 1})", "P5102",
        "1:20", "twice"},
       {"an environment twice",
