@@ -16,7 +16,9 @@ ARROWS = {
     "sim": {"sim"},
     "runtime": {"runtime", "compiler", "grammar", "sim"},
     "runtime/evolve": {"runtime/evolve", "runtime", "compiler", "grammar", "sim"},
-    "runtime/cli": {"runtime/cli", "runtime/evolve", "runtime", "compiler", "grammar", "sim"},
+    "runtime/store": {"runtime/store", "runtime/evolve", "runtime", "compiler", "grammar", "sim"},
+    "runtime/study": {"runtime/study", "runtime/store", "runtime/evolve", "runtime", "compiler", "grammar", "sim"},
+    "runtime/cli": {"runtime/cli", "runtime/study", "runtime/store", "runtime/evolve", "runtime", "compiler", "grammar", "sim"},
 }
 # Library -> where its headers may be included.
 DOORS = {
@@ -25,6 +27,9 @@ DOORS = {
     r"yaml-cpp/": r"runtime/yaml_[a-z_]*\.(h|cc)",
     r"CLI/": r"runtime/cli/arguments[a-z_]*\.cc",
     r"Random123/": r"runtime/evolve/rng\.cc",
+    r"sqlite3\.h": r"runtime/store/database\.cc",
+    r"xxhash\.h": r"runtime/key\.cc",
+    r"mpi\.h": r"runtime/evolve/mpi_[a-z_]*\.cc",
 }
 INCLUDE = re.compile(r'^#include [<"]([^>"]+)[>"]', re.MULTILINE)
 SOURCES = [p for f in ("grammar", "compiler", "sim", "runtime")

@@ -5,7 +5,8 @@
 # What building and testing plsc needs; docs/dependencies.md says why each.
 PLSC_PACKAGES="g++ cmake ninja-build pkg-config gzip tao-pegtl-dev libfmt-dev \
 libeigen3-dev libode-dev catch2 libyaml-cpp-dev libcli11-dev \
-nlohmann-json3-dev librandom123-dev python3"
+nlohmann-json3-dev librandom123-dev libsqlite3-dev libxxhash-dev \
+libopenmpi-dev openmpi-bin python3"
 
 plsc_fail() {
   echo "$(basename "$0"): $1" >&2

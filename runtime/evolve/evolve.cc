@@ -135,6 +135,9 @@ class Run {
 
   /// Evaluates all, and shows them to the observers in order of id.
   bool Judge(std::vector<Individual>& robots) {
+    for (RunObserver* observer : options_.observers)
+      if (auto failure = observer->OnBirths(robots))
+        return Fail(std::move(*failure));
     for (std::size_t i = 0; i < robots.size(); ++i)
       pool_.Submit(static_cast<int>(i), Print(robots[i].genotype));
     std::vector<bool> is_judged(robots.size(), false);
@@ -159,7 +162,7 @@ class Run {
 
   bool Show(const Individual& robot) {
     for (RunObserver* observer : options_.observers)
-      if (auto failure = observer->OnIndividual(robot))
+      if (auto failure = observer->OnEvaluated(robot, {}))
         return Fail(std::move(*failure));
     ++result_.evaluations;
     return true;

@@ -13,6 +13,7 @@
 
 #include "runtime/evolve/experiment.h"
 #include "runtime/evolve/individual.h"
+#include "runtime/evolve/run_observer.h"
 
 namespace plsc {
 
@@ -32,27 +33,6 @@ struct Progress {
   int busy_workers = 0;  ///< at this moment
   /// Of the population; of those evaluated so far in generation 0.
   std::vector<SeasonProgress> seasons;
-};
-
-/// What became of one generation. The domination counts are of the pool:
-/// parents and children, or the initial population.
-struct GenerationRecord {
-  int generation = 0;
-  std::vector<int> pool;       ///< ids
-  std::vector<int> counts;     ///< of the pool, in its order
-  std::vector<int> survivors;  ///< ids, in the order of selection
-  int best = 0;                ///< id, as RunResult::best
-};
-
-/// Receives a run while it happens. What a function returns is what went
-/// wrong, which ends the run; or nothing.
-class RunObserver {
- public:
-  virtual ~RunObserver() = default;
-  /// Everybody once, evaluated, in order of id.
-  virtual std::optional<std::string> OnIndividual(const Individual& one) = 0;
-  virtual std::optional<std::string> OnGeneration(
-      const GenerationRecord& record) = 0;
 };
 
 using Evaluator = std::function<Evaluation(const Genotype&)>;

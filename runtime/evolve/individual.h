@@ -3,7 +3,9 @@
 // One robot of a run: its genotype, where it came from and, once judged, how
 // it did. Populations are vectors of these.
 
+#include <map>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "compiler/genotype.h"
@@ -20,6 +22,9 @@ struct Heritage {
   /// crossover, or nothing was taken.
   std::vector<SymbolId> from_second;
   std::optional<Mutation> mutation;
+  /// What the robot is regulated by in its first season, instead of its own
+  /// senses: state to value. Empty unless the experiment inherits senses.
+  std::map<std::string, std::string> senses;
 };
 
 struct Individual {

@@ -145,7 +145,12 @@ Failure RunLog::Create(const std::string& folder,
   return generations_.Create(folder + "/generations.jsonl");
 }
 
-Failure RunLog::OnIndividual(const Individual& one) {
+Failure RunLog::OnBirths(const std::vector<Individual>&) {
+  return std::nullopt;
+}
+
+Failure RunLog::OnEvaluated(const Individual& one,
+                            const std::vector<SeasonEvidence>&) {
   return individuals_.Write(IndividualJson(one));
 }
 

@@ -40,7 +40,11 @@ class RunLog : public RunObserver {
   std::optional<std::string> Create(const std::string& folder,
                                     const Experiment& experiment);
 
-  std::optional<std::string> OnIndividual(const Individual& one) override;
+  std::optional<std::string> OnBirths(
+      const std::vector<Individual>& born) override;
+  std::optional<std::string> OnEvaluated(
+      const Individual& one,
+      const std::vector<SeasonEvidence>& evidence) override;
   std::optional<std::string> OnGeneration(
       const GenerationRecord& record) override;
 

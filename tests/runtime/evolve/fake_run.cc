@@ -45,7 +45,12 @@ int IdOf(const Genotype& genotype) {
   return std::stoi(genotype.name.substr(genotype.name.find('_') + 1));
 }
 
-std::optional<std::string> Recorder::OnIndividual(const Individual& one) {
+std::optional<std::string> Recorder::OnBirths(const std::vector<Individual>&) {
+  return std::nullopt;
+}
+
+std::optional<std::string> Recorder::OnEvaluated(
+    const Individual& one, const std::vector<SeasonEvidence>&) {
   if (one.id == failing_id) return "the disk is full";
   individuals.push_back(one);
   return std::nullopt;

@@ -25,10 +25,14 @@ class Recorder : public RunObserver {
  public:
   std::vector<Individual> individuals;
   std::vector<GenerationRecord> generations;
-  /// Id at which OnIndividual fails; 0: never.
+  /// Id at which OnEvaluated fails; 0: never.
   int failing_id = 0;
 
-  std::optional<std::string> OnIndividual(const Individual& one) override;
+  std::optional<std::string> OnBirths(
+      const std::vector<Individual>& born) override;
+  std::optional<std::string> OnEvaluated(
+      const Individual& one,
+      const std::vector<SeasonEvidence>& evidence) override;
   std::optional<std::string> OnGeneration(
       const GenerationRecord& record) override;
 };

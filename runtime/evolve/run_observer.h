@@ -1,0 +1,58 @@
+#pragma once
+
+// Whoever wants to know what happens in a run: the store, a test. Births of a
+// generation come first, all together; then its evaluations as they end, in
+// any order; then what became of the generation.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "runtime/evolve/individual.h"
+#include "runtime/key.h"
+#include "runtime/simulated.h"
+
+namespace plsc {
+
+/// What stands behind one season of an evaluation.
+struct SeasonEvidence {
+  /// Of `body` and `brain`. All three are empty (zero) if no robot developed.
+  Key phenotype;
+  std::string body;   ///< JSON, the shape of `plsc develop --format json`
+  std::string brain;  ///< likewise
+  /// Of all that the simulation is a function of: the phenotype, the season
+  /// and the physics. Zero if there was nothing to simulate.
+  Key simulation;
+  Simulated simulated;
+};
+
+/// What became of one generation. The domination counts are of the pool:
+/// parents and children, or the initial population.
+struct GenerationRecord {
+  int generation = 0;
+  std::vector<int> pool;       ///< ids
+  std::vector<int> counts;     ///< of the pool, in its order
+  std::vector<int> survivors;  ///< ids, in the order of selection
+  int best = 0;                ///< id, as RunResult::best
+
+  friend bool operator==(const GenerationRecord&,
+                         const GenerationRecord&) = default;
+};
+
+/// What a function returns is what went wrong, which ends the run; or nothing.
+class RunObserver {
+ public:
+  using Failure = std::optional<std::string>;
+
+  virtual ~RunObserver() = default;
+  /// A generation's newborn in order of id, not evaluated yet. A run that goes
+  /// on shows those of the generation that was under way again.
+  virtual Failure OnBirths(const std::vector<Individual>& born) = 0;
+  /// Everybody once, in the order in which evaluations end; `evidence` has an
+  /// item a season. Not those that were evaluated before the run went on.
+  virtual Failure OnEvaluated(const Individual& one,
+                              const std::vector<SeasonEvidence>& evidence) = 0;
+  virtual Failure OnGeneration(const GenerationRecord& record) = 0;
+};
+
+}  // namespace plsc
