@@ -9,6 +9,8 @@
 #include "runtime/evolve/breed.h"
 #include "runtime/evolve/judge.h"
 #include "runtime/evolve/select.h"
+#include "runtime/evolve/worker_count.h"
+#include "runtime/evolve/worker_pool.h"
 
 namespace plsc {
 

@@ -1,8 +1,6 @@
 #include "runtime/evolve/judge.h"
 
-#include <algorithm>
 #include <cassert>
-#include <thread>
 #include <utility>
 
 #include "compiler/compile.h"
@@ -35,12 +33,6 @@ Evaluation EvaluationOf(const Reply& reply,
     evaluation.seasons.push_back(std::move(result));
   }
   return evaluation;
-}
-
-int WorkerCount(int jobs) {
-  if (jobs > 0) return jobs;
-  // 0 where the system does not tell.
-  return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
 }  // namespace plsc

@@ -19,7 +19,4 @@ Work JudgeWith(Evaluator evaluate);
 /// kWorkerDied and no fitness.
 Evaluation EvaluationOf(const Reply& reply, const std::vector<Season>& seasons);
 
-/// `jobs`, or the number of cores if that is 0.
-int WorkerCount(int jobs);
-
 }  // namespace plsc
