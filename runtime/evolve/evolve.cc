@@ -99,9 +99,9 @@ class Run {
   std::unique_ptr<Workers> MakeWorkers() const {
     const Work work = WorkOf(planner_);
     if (options_.make_workers) return options_.make_workers(work);
-    PoolOptions pool;
-    pool.workers = WorkerCount(options_.jobs);
-    return std::make_unique<WorkerPool>(pool, work);
+    return std::make_unique<WorkerPool>(
+        WorkerPoolOptions{WorkerCount(options_.jobs), HangSeconds(experiment_)},
+        work);
   }
 
   int FirstIdOf(int generation) const {

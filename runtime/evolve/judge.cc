@@ -64,6 +64,26 @@ Work WorkOf(LifePlanner planner) {
   };
 }
 
+Work WorkFor(const std::string& experiment) {
+  const Result<Experiment> parsed =
+      ParseExperiment(Source("<experiment>", experiment));
+  // It was printed by us.
+  assert(parsed);
+  return WorkOf(LifePlanner(parsed->scenario));
+}
+
+double HangSeconds(const Experiment& experiment) {
+  // The slowest robots that were measured, 250 links on obstacles, are
+  // simulated at a fifth of real time; 20 times slower than life leaves room
+  // for a machine that is four times as slow, the rest for short seasons.
+  constexpr double kSlowest = 20;
+  constexpr double kAtLeast = 300;
+  double simulated = 0;
+  for (const Season& season : experiment.scenario.seasons)
+    simulated += season.duration;
+  return kAtLeast + kSlowest * simulated;
+}
+
 std::vector<Simulated> SimulatedOf(const Reply& reply, std::size_t seasons) {
   if (reply.answer) {
     std::optional<std::vector<Simulated>> simulated = Unpack(*reply.answer);

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "runtime/evolve/experiment.h"
 #include "runtime/evolve/workers.h"
 #include "runtime/life_plan.h"
 
@@ -18,6 +19,14 @@ std::string RequestFor(const Genotype& genotype, const Senses& inherited,
 
 /// What workers do with requests for the planner's scenario.
 Work WorkOf(LifePlanner planner);
+
+/// WorkOf the scenario of an experiment as PrintExperiment writes it, for
+/// workers that know of a run only that text.
+Work WorkFor(const std::string& experiment);
+
+/// s without an answer after which a worker hangs rather than works: far more
+/// than the largest robot takes, so that it is never a matter of speed.
+double HangSeconds(const Experiment& experiment);
 
 /// What a reply means, an item for each of the piece's `seasons`. Where the
 /// workers died each has the outcome kWorkerDied.

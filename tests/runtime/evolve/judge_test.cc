@@ -29,9 +29,4 @@ TEST_CASE("A death is an outcome of every season", "[judge]") {
   CHECK_FALSE(evaluation.seasons[1].fitness);
 }
 
-TEST_CASE("There is always at least one worker", "[judge]") {
-  CHECK(WorkerCount(3) == 3);
-  CHECK(WorkerCount(0) >= 1);
-}
-
 }  // namespace plsc
