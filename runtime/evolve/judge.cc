@@ -73,9 +73,9 @@ Work WorkFor(const std::string& experiment) {
 }
 
 double HangSeconds(const Experiment& experiment) {
-  // The slowest robots that were measured, 250 links on obstacles, are
-  // simulated at a fifth of real time; 20 times slower than life leaves room
-  // for a machine that is four times as slow, the rest for short seasons.
+  // A robot of 256 links, the most that are simulated by default, is simulated
+  // about as fast as it lives (sim/options.h). 20 times slower than life leaves
+  // room for slow and crowded machines, the rest for short seasons.
   constexpr double kSlowest = 20;
   constexpr double kAtLeast = 300;
   double simulated = 0;

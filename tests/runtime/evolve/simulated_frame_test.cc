@@ -1,6 +1,5 @@
-#include "runtime/evolve/evaluation_frame.h"
+#include "runtime/evolve/simulated_frame.h"
 
-#include <bit>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
@@ -9,76 +8,65 @@ namespace plsc {
 
 namespace {
 
-Evaluation Example() {
-  SeasonResult flat;
-  flat.season = "flat";
-  flat.outcome = Outcome::kCompleted;
-  flat.body.absolute_size = 7;
-  flat.body.proportion = 0.1 + 0.2;
-  flat.brain.recurrence = 1.0 / 3;
+std::vector<Simulated> Example() {
+  Simulated flat;
+  flat.begin = 0.1;
+  flat.inclination = 0.1 + 0.2;
   flat.behaviour.is_valid = true;
+  flat.behaviour.displacement_velocity_hill = std::nextafter(0.1, 1.0);
+  flat.behaviour.displacement_velocity = 1.0 / 3;
+  flat.behaviour.velocity = 2.0 / 3;
   flat.behaviour.head_balance = std::numeric_limits<double>::denorm_min();
   flat.behaviour.contacts = -0.0;
-  flat.fitness = std::nextafter(0.1, 1.0);
   flat.state_hash = 0xFEDCBA9876543210u;
-  flat.profile = Profile::kPublished;
-  flat.reason = "none";
-  flat.begin = 0.1;
-  flat.sensed = {{"inclined", "True", true}, {"hot", "False", false}};
-  flat.inclination = 0.3;
-  flat.change = Change::kBody;
-  flat.change_reason = "inclined False -> True";
   flat.steps = 123456789012;
   flat.solver_warnings = 3;
-  SeasonResult tilted;
-  tilted.season = "a season with a longer name than others";
+  Simulated tilted;
   tilted.outcome = Outcome::kOverlapping;
-  return {{flat, tilted}};
+  tilted.reason = "modules intersect";
+  return {flat, tilted};
 }
 
 }  // namespace
 
-TEST_CASE("An evaluation arrives bit for bit", "[evaluation_frame]") {
-  const Evaluation sent = Example();
-  const auto arrived = Unpack(Pack(sent));
+TEST_CASE("What was simulated arrives bit for bit", "[simulated_frame]") {
+  const auto arrived = Unpack(Pack(Example()));
   REQUIRE(arrived);
-  REQUIRE(arrived->seasons.size() == 2);
-  const SeasonResult& flat = arrived->seasons[0];
-  CHECK(flat.season == "flat");
+  REQUIRE(arrived->size() == 2);
+  const Simulated& flat = (*arrived)[0];
+  CHECK(flat.begin == 0.1);
+  CHECK(flat.inclination == 0.1 + 0.2);
   CHECK(flat.outcome == Outcome::kCompleted);
-  CHECK(flat.body.absolute_size == 7);
-  CHECK(flat.body.proportion == 0.1 + 0.2);
-  CHECK(flat.brain.recurrence == 1.0 / 3);
+  CHECK(flat.reason.empty());
   CHECK(flat.behaviour.is_valid);
+  CHECK(flat.behaviour.displacement_velocity_hill == std::nextafter(0.1, 1.0));
+  CHECK(flat.behaviour.displacement_velocity == 1.0 / 3);
+  CHECK(flat.behaviour.velocity == 2.0 / 3);
   CHECK(flat.behaviour.head_balance ==
         std::numeric_limits<double>::denorm_min());
   CHECK(std::signbit(flat.behaviour.contacts));
-  CHECK(flat.fitness == std::nextafter(0.1, 1.0));
   CHECK(flat.state_hash == 0xFEDCBA9876543210u);
-  CHECK(flat.profile == Profile::kPublished);
-  CHECK(flat.reason == "none");
-  CHECK(flat.begin == 0.1);
-  CHECK(flat.sensed == sent.seasons[0].sensed);
-  CHECK(flat.inclination == 0.3);
-  CHECK(flat.change == Change::kBody);
-  CHECK(flat.change_reason == "inclined False -> True");
   CHECK(flat.steps == 123456789012);
   CHECK(flat.solver_warnings == 3);
-  const SeasonResult& tilted = arrived->seasons[1];
+  const Simulated& tilted = (*arrived)[1];
   CHECK_FALSE(tilted.inclination);
-  CHECK(tilted.sensed.empty());
-  CHECK(tilted.season == sent.seasons[1].season);
+  CHECK_FALSE(tilted.behaviour.is_valid);
   CHECK(tilted.outcome == Outcome::kOverlapping);
-  CHECK_FALSE(tilted.fitness);
-  CHECK(Unpack(Pack({}))->seasons.empty());
+  CHECK(tilted.reason == "modules intersect");
+  CHECK(Unpack(Pack({}))->empty());
 }
 
-TEST_CASE("Bytes that are cut short or too many are refused",
-          "[evaluation_frame]") {
+TEST_CASE("Bytes that are cut short, too many or of another layout are refused",
+          "[simulated_frame]") {
   const std::string bytes = Pack(Example());
-  for (std::size_t length = 0; length < bytes.size(); length += 7)
+  for (std::size_t length = 0; length < bytes.size(); ++length)
     CHECK_FALSE(Unpack(std::string_view(bytes).substr(0, length)));
   CHECK_FALSE(Unpack(bytes + "x"));
+  for (const std::size_t place : {0, 8, 40, 48}) {  // layout, count, outcome,
+    std::string changed = bytes;                    // length of the reason
+    changed[place] = static_cast<char>(changed[place] ^ 0x70);
+    CHECK_FALSE(Unpack(changed));
+  }
 }
 
 }  // namespace plsc
