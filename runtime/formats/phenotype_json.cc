@@ -47,7 +47,7 @@ std::string NodeName(int index) {
   return "node" + std::to_string(index + 1);
 }
 
-Json BrainJson(const Phenotype& phenotype) {
+Json BrainOf(const Phenotype& phenotype) {
   Json nodes = Json::array();
   for (std::size_t i = 0; i < phenotype.brain.nodes.size(); ++i) {
     const Node& node = phenotype.brain.nodes[i];
@@ -76,6 +76,14 @@ Json BrainJson(const Phenotype& phenotype) {
 
 }  // namespace
 
+std::string BodyJson(const Body& body) {
+  return ModuleJson(body, 0).dump();
+}
+
+std::string BrainJson(const Phenotype& phenotype) {
+  return BrainOf(phenotype).dump();
+}
+
 std::string DevelopmentJson(const Genotype& genotype,
                             const Environment& environment,
                             const SymbolString& string,
@@ -93,7 +101,7 @@ std::string DevelopmentJson(const Genotype& genotype,
   json["early"] = std::move(early);
   if (phenotype != nullptr) {
     json["body"] = ModuleJson(phenotype->body, 0);
-    json["brain"] = BrainJson(*phenotype);
+    json["brain"] = BrainOf(*phenotype);
     json["body_descriptors"] =
         DescriptorsJson(List(DescribeBody(phenotype->body)));
     json["brain_descriptors"] =

@@ -21,4 +21,10 @@ std::string DevelopmentJson(const Genotype& genotype,
                             const SymbolString& string,
                             const Phenotype* phenotype);
 
+/// What DevelopmentJson has under "body": the core, with its children.
+std::string BodyJson(const Body& body);
+
+/// What it has under "brain"; of the phenotype, as nodes name their modules.
+std::string BrainJson(const Phenotype& phenotype);
+
 }  // namespace plsc

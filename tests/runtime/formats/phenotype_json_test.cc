@@ -36,6 +36,8 @@ TEST_CASE("a robot's JSON tells what grew and from which rules",
         json::parse(R"({"id": "1s1", "type": "T", "angle": 0, "x": null,
                         "y": null, "facing": null, "children": {}})"));
   CHECK(robot["brain"]["imu_inputs"] == 6);
+  CHECK(json::parse(BodyJson(phenotype.body)) == robot["body"]);
+  CHECK(json::parse(BrainJson(phenotype)) == robot["brain"]);
 }
 
 TEST_CASE("a string without a body has no body keys", "[phenotype_json]") {

@@ -1,0 +1,113 @@
+#pragma once
+
+// A run on the disk: one SQLite file that holds what the run is a function of
+// and all that came of it (docs/runs.md has the tables). Written while the run
+// goes on, so that a kill at any instant loses nothing that was committed;
+// read by `plsc evolve --resume`, show, replay and export, and by any tool that
+// speaks SQL, also meanwhile. The same run leaves the same result tables, bit
+// for bit, whatever the order in which evaluations arrive.
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "runtime/evolve/experiment.h"
+#include "runtime/evolve/run_observer.h"
+#include "runtime/evolve/saved_run.h"
+#include "runtime/evolve/simulation_cache.h"
+#include "runtime/store/loaded.h"
+#include "runtime/store/session.h"
+
+namespace plsc {
+
+/// What made the results, besides the experiment.
+struct Versions {
+  std::string plsc;
+  std::string ode;
+  std::string compiler;
+
+  friend bool operator==(const Versions&, const Versions&) = default;
+};
+
+/// How far a run is.
+struct RunStatus {
+  int generations = 0;           ///< completed, the initial one included
+  std::int64_t evaluations = 0;  ///< done
+  int best = 0;  ///< id, of the last completed generation; 0: there is none
+  bool is_finished = false;  ///< all generations of the experiment
+};
+
+/// An individual of somebody's lineage.
+struct Ancestor {
+  int distance = 0;  ///< births between the two; 0 is who was asked about
+  int id = 0;
+  int generation = 0;
+  Heritage heritage;
+  SeasonFitnesses fitnesses;  ///< empty if it was not evaluated yet
+};
+
+/// Failures are messages for the user, ready to be printed behind "error: ".
+/// Not to be used on both sides of a fork: a copy in a child does nothing.
+class RunStore : public RunObserver, public SimulationCache {
+ public:
+  RunStore();
+  ~RunStore() override;
+  RunStore(const RunStore&) = delete;
+  RunStore& operator=(const RunStore&) = delete;
+
+  /// Makes the file, which must not exist, for writing. `versions` default to
+  /// those of this program; others are for tests.
+  Failure Create(const std::string& path, const Experiment& experiment,
+                 const std::optional<Versions>& versions = std::nullopt);
+  /// For going on with a run: everything is checked first, and a store that is
+  /// damaged, or that another process works on, is refused unchanged.
+  Failure Open(const std::string& path);
+  /// Changes nothing, and works while another process writes. What is wrong
+  /// with single values is found when they are read.
+  Failure OpenForReading(const std::string& path);
+  /// Ends the work on it; the only way to learn that the last writes failed.
+  /// The destructor does the same in silence.
+  Failure Close();
+
+  const std::string& path() const;
+  const Experiment& experiment() const;
+  /// Of the program that created it.
+  const Versions& versions() const;
+
+  /// All of this is empty in a run that was created and left at once.
+  Loaded<SavedRun> Load();
+  Loaded<RunStatus> Status();
+  /// With its evaluation, if it has one, every field as it was, bit for bit
+  /// (but that -0 became 0).
+  Loaded<Individual> Find(int id);
+  /// Those behind Find(id).evaluation: keys, body and brain.
+  Loaded<std::vector<SeasonEvidence>> EvidenceOf(int id);
+  /// `id` itself, its parents, theirs ... up to `distance` births away: by
+  /// distance, then by id, everybody once.
+  Loaded<std::vector<Ancestor>> Lineage(int id, int distance);
+
+  /// A row of the table `session`, until EndSession as one that was killed.
+  Failure BeginSession(const SessionStart& start);
+  Failure EndSession(const SessionEnd& end);
+
+  Failure OnBirths(const std::vector<Individual>& born) override;
+  Failure OnEvaluated(const Individual& one,
+                      const std::vector<SeasonEvidence>& evidence) override;
+  Failure OnGeneration(const GenerationRecord& record) override;
+
+  /// Never one whose worker died, nor of a store that cannot be read.
+  std::optional<Simulated> Find(const Key& key) override;
+  /// Nothing: OnEvaluated has what there is to store.
+  Failure Add(const Key& key, const Simulated& simulated) override;
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+/// Of this program.
+Versions ThisProgram();
+
+}  // namespace plsc
