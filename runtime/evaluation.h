@@ -4,6 +4,8 @@
 // robot sensed, the robot that developed for it, what it did and its fitness.
 
 #include <cstddef>
+#include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -11,6 +13,7 @@
 
 #include "runtime/descriptors.h"
 #include "runtime/scenario.h"
+#include "runtime/simulated.h"
 #include "sim/measures.h"
 #include "sim/outcome.h"
 #include "sim/simulate.h"
@@ -19,11 +22,24 @@
 
 namespace plsc {
 
+/// Where a robot has a state's value from.
+enum class SenseSource : std::uint8_t {
+  kSeason,  ///< the scenario says so
+  kImu,     ///< it felt it
+  kParent,  ///< inherited: what its first parent sensed last
+};
+
+/// "season", "imu", "parent".
+std::string_view SenseSourceName(SenseSource source);
+
+/// Values of states by name, as a clause writes them.
+using Senses = std::map<std::string, std::string>;
+
 /// A state of the genotype and its value, as a clause writes it.
 struct SensedState {
   std::string name;
   std::string value;
-  bool is_felt = false;  ///< by the robot itself, not given by the season
+  SenseSource from = SenseSource::kSeason;
 
   friend bool operator==(const SensedState&, const SensedState&) = default;
 };
@@ -77,36 +93,45 @@ struct SeasonLife {
   std::optional<Phenotype> robot;  ///< that lived, or was not simulated
 };
 
+class SeasonTeller;
+
 /// A genotype on its way through a scenario, season by season: sense, regulate,
 /// develop, live. What it senses must be known (CheckSenses).
 class Life {
  public:
-  /// The watcher, if any, must outlive it.
+  /// The watcher, if any, must outlive it. `inherited`: see SeasonTeller.
   Life(const Genotype& genotype, const Scenario& scenario,
-       Watcher* watcher = nullptr)
-      : genotype_(genotype), scenario_(scenario), watcher_(watcher) {}
+       Watcher* watcher = nullptr, Senses inherited = {});
+  ~Life();
+  Life(const Life&) = delete;
+  Life& operator=(const Life&) = delete;
 
-  bool is_over() const { return next_ == scenario_.seasons.size(); }
+  bool is_over() const;
   /// Lives the next season.
   SeasonLife Next();
 
  private:
   bool LivesOn() const;
-  Environment SenseAt(const Season& season, const SimulationOptions& options,
-                      const Spot& spot, SeasonResult& result) const;
-  void TellChange(const Phenotype& robot, SeasonResult& result) const;
   Lived LiveIn(const Season& season, const SimulationOptions& options,
                const Phenotype& robot, const Spot& spot) const;
 
-  Genotype genotype_;
-  Scenario scenario_;
+  const Genotype genotype_;
+  const Scenario scenario_;
+  const Senses inherited_;
   Watcher* watcher_ = nullptr;
+  std::unique_ptr<SeasonTeller> teller_;
   std::size_t next_ = 0;
   std::string ended_;  ///< continuous lives: why there is no robot any more
-  std::optional<Phenotype> robot_;   ///< of the season before
-  std::vector<SensedState> sensed_;  ///< in the season before
-  LifeState state_;                  ///< at its end
+  std::optional<Phenotype> robot_;  ///< of the season before
+  LifeState state_;                 ///< at its end
 };
+
+/// How a robot is simulated in a season of the scenario.
+SimulationOptions OptionsFor(const Scenario& scenario, const Season& season);
+
+/// What the simulator told of a robot of `size` (Measure); the season's begin
+/// and inclination are not its to tell.
+Simulated Judge(const Trajectory& trajectory, MeasuredPoint point, int size);
 
 /// All seasons.
 Evaluation Evaluate(const Genotype& genotype, const Scenario& scenario);

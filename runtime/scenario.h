@@ -35,6 +35,12 @@ enum class Lives : std::uint8_t {
   kContinuous,
 };
 
+/// When a robot develops (paper, "Conclusions", future work).
+enum class Plasticity : std::uint8_t {
+  kLifelong,       ///< for what it senses in each season
+  kMorphogenesis,  ///< once, for what it senses at birth
+};
+
 /// Where `inclined` comes from if a season does not give it.
 enum class Sensing : std::uint8_t {
   kImu,    ///< from the core's IMU (sim/imu)
@@ -59,6 +65,7 @@ struct Scenario {
   std::string name;
   Profile profile = Profile::kPaper;
   Lives lives = Lives::kIndependent;
+  Plasticity plasticity = Plasticity::kLifelong;
   std::vector<Season> seasons;
   double sample_interval = 0.2;   ///< s
   double start_clearance = 1e-4;  ///< m, of a start at rest

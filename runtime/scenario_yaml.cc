@@ -37,6 +37,11 @@ const std::vector<std::string>& LivesNames() {
   return names;
 }
 
+const std::vector<std::string>& PlasticityNames() {
+  static const std::vector<std::string> names = {"lifelong", "morphogenesis"};
+  return names;
+}
+
 const std::vector<std::string>& ControllerNames() {
   static const std::vector<std::string> names = {"open_loop", "coupled"};
   return names;
@@ -236,6 +241,7 @@ Scenario ReadScenario(YamlMap& map) {
   Scenario scenario = ProfileScenario(profile);
   scenario.name = map.Text("name", "");
   ReadChoice(map, "lives", LivesNames(), scenario.lives);
+  ReadChoice(map, "plasticity", PlasticityNames(), scenario.plasticity);
   PhysicsPatch physics;
   if (const auto written = map.Find("physics"))
     if (auto physics_map = written->Map("physical constants"))
@@ -273,6 +279,7 @@ std::string PrintScenarioKeys(const Scenario& scenario, int indent) {
   if (!scenario.name.empty()) add("name", PrintYamlText(scenario.name));
   add("profile", ProfileName(scenario.profile));
   add("lives", NameIn(LivesNames(), scenario.lives));
+  add("plasticity", NameIn(PlasticityNames(), scenario.plasticity));
   text += fmt::format("{}seasons:\n", blanks);
   for (const Season& season : scenario.seasons)
     text += PrintSeason(season, physics, deeper);

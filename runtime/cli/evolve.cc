@@ -13,6 +13,7 @@
 #include "runtime/evolve/evolve.h"
 #include "runtime/evolve/run_log.h"
 #include "runtime/formats/body_text.h"
+#include "runtime/season_teller.h"
 
 namespace plsc::cli {
 
@@ -55,13 +56,10 @@ void PrintBest(const Individual& best, const Scenario& scenario,
   for (std::size_t i = 0; i < scenario.seasons.size(); ++i) {
     PrintSeason(best.evaluation.seasons[i], out);
     const SeasonResult& season = best.evaluation.seasons[i];
-    std::map<std::string, std::string> felt;
-    for (const SensedState& state : season.sensed)
-      felt[state.name] = state.value;
-    // Nothing was sensed where a life did not reach, or a worker died.
-    const auto sensed = Sense(scenario.seasons[i], best.genotype.states, felt);
-    if (const auto phenotype =
-            sensed ? Develop(best.genotype, *sensed) : std::nullopt)
+    // Nothing was sensed where a life did not reach.
+    if (season.sensed.size() != best.genotype.states.size()) continue;
+    if (const auto phenotype = Develop(
+            best.genotype, EnvironmentOf(season.sensed, best.genotype.states)))
       out << BodyText(phenotype->body);
     out << '\n';
   }

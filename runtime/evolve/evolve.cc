@@ -5,10 +5,11 @@
 #include <iterator>
 #include <utility>
 
-#include "compiler/print.h"
 #include "runtime/evolve/breed.h"
 #include "runtime/evolve/judge.h"
 #include "runtime/evolve/select.h"
+#include "runtime/evolve/worker_count.h"
+#include "runtime/evolve/worker_pool.h"
 
 namespace plsc {
 
@@ -41,18 +42,22 @@ std::size_t BestOf(const std::vector<Individual>& population,
   return best;
 }
 
-std::vector<SeasonProgress> Summarise(const std::vector<Individual>& robots,
-                                      std::size_t count) {
+std::vector<SeasonProgress> Summarise(const std::vector<Individual>& robots) {
   std::vector<SeasonProgress> summary;
-  if (count == 0) return summary;
-  const auto& seasons = robots.front().evaluation.seasons;
-  for (std::size_t i = 0; i < seasons.size(); ++i) {
-    SeasonFitnesses all;
-    for (std::size_t k = 0; k < count; ++k)
-      all.push_back(robots[k].evaluation.seasons[i].fitness);
-    std::sort(all.begin(), all.end());
-    summary.push_back(
-        {seasons[i].season, all.back(), all[(all.size() - 1) / 2]});
+  std::vector<SeasonFitnesses> all;
+  for (const Individual& robot : robots) {
+    const auto& seasons = robot.evaluation.seasons;
+    all.resize(seasons.empty() ? all.size() : seasons.size());
+    if (summary.empty())
+      for (const SeasonResult& season : seasons)
+        summary.push_back({season.season, {}, {}});
+    for (std::size_t i = 0; i < seasons.size(); ++i)
+      all[i].push_back(seasons[i].fitness);
+  }
+  for (std::size_t i = 0; i < summary.size(); ++i) {
+    std::sort(all[i].begin(), all[i].end());
+    summary[i].best = all[i].back();
+    summary[i].median = all[i][(all[i].size() - 1) / 2];
   }
   return summary;
 }
@@ -63,18 +68,22 @@ class Run {
   Run(const Experiment& experiment, const EvolveOptions& options)
       : experiment_(experiment),
         options_(options),
-        pool_(WorkerCount(options.jobs),
-              JudgeWith(options.evaluate ? options.evaluate
-                                         : [scenario = experiment.scenario](
-                                               const Genotype& genotype) {
-                                             return plsc::Evaluate(genotype,
-                                                                   scenario);
-                                           })) {}
+        planner_(experiment.scenario, options.simulate),
+        workers_(MakeWorkers()),
+        judging_(planner_, *workers_, options.caches) {
+    if (!options.saved) return;
+    result_.generations = options.saved->generations;
+    result_.evaluations = options.saved->evaluations;
+    result_.population = options.saved->population;
+    result_.counts = options.saved->counts;
+    next_id_ = FirstIdOf(result_.generations);
+  }
 
   RunResult Live() {
-    bool goes_on = Begin();
-    for (int g = 1; goes_on && g < experiment_.generations; ++g)
-      goes_on = result_.ending == Ending::kFinished && Continue(g);
+    while (result_.ending == Ending::kFinished &&
+           result_.generations < experiment_.generations &&
+           LiveGeneration(result_.generations)) {
+    }
     // Asked to stop when everything was done already.
     if (result_.ending == Ending::kStopped &&
         result_.generations == experiment_.generations)
@@ -82,10 +91,29 @@ class Run {
     if (!result_.population.empty())
       result_.best =
           result_.population[BestOf(result_.population, result_.counts)];
+    result_.counts_of_work = judging_.counts();
     return std::move(result_);
   }
 
  private:
+  std::unique_ptr<Workers> MakeWorkers() const {
+    const Work work = WorkOf(planner_);
+    if (options_.make_workers) return options_.make_workers(work);
+    return std::make_unique<WorkerPool>(
+        WorkerPoolOptions{WorkerCount(options_.jobs), HangSeconds(experiment_)},
+        work);
+  }
+
+  int FirstIdOf(int generation) const {
+    return 1 + (generation == 0 ? 0
+                                : experiment_.population +
+                                      (generation - 1) * experiment_.offspring);
+  }
+
+  bool LiveGeneration(int generation) {
+    return generation == 0 ? Begin() : Continue(generation);
+  }
+
   bool Begin() {
     std::vector<Individual> robots;
     robots.reserve(static_cast<std::size_t>(experiment_.population));
@@ -133,36 +161,36 @@ class Run {
     return true;
   }
 
-  /// Evaluates all, and shows them to the observers in order of id.
+  /// Evaluates all that were not before the run was left.
   bool Judge(std::vector<Individual>& robots) {
     for (RunObserver* observer : options_.observers)
       if (auto failure = observer->OnBirths(robots))
         return Fail(std::move(*failure));
-    for (std::size_t i = 0; i < robots.size(); ++i)
-      pool_.Submit(static_cast<int>(i), Print(robots[i].genotype));
-    std::vector<bool> is_judged(robots.size(), false);
-    std::size_t shown = 0;
-    while (pool_.outstanding() > 0 && !pool_.failure()) {
+    if (options_.saved)
+      for (Individual& robot : robots)
+        if (const auto known = options_.saved->evaluated.find(robot.id);
+            known != options_.saved->evaluated.end())
+          robot.evaluation = known->second;
+    judging_.Begin(robots);
+    while (judging_.outstanding() > 0) {
       StopIfAsked();
-      for (const Reply& reply : pool_.Wait(kPatience)) {
-        const auto i = static_cast<std::size_t>(reply.ticket);
-        robots[i].evaluation =
-            EvaluationOf(reply, experiment_.scenario.seasons);
-        is_judged[i] = true;
-      }
-      const std::size_t shown_before = shown;
-      while (shown < robots.size() && is_judged[shown] && Show(robots[shown]))
-        ++shown;
-      if (result_.ending == Ending::kFailed) return false;
-      if (shown > shown_before) Tell(robots, shown);
+      const std::vector<Verdict> verdicts = judging_.Wait(kPatience);
+      for (const Verdict& verdict : verdicts)
+        if (!Show(verdict, robots)) return false;
+      if (!verdicts.empty()) Tell(robots);
+      if (judging_.failure()) return Fail(*judging_.failure());
+      if (result_.ending == Ending::kStopped && workers_->outstanding() == 0 &&
+          verdicts.empty())
+        break;
     }
-    if (pool_.failure()) return Fail(*pool_.failure());
-    return shown == robots.size();
+    return judging_.outstanding() == 0;
   }
 
-  bool Show(const Individual& robot) {
+  bool Show(const Verdict& verdict, std::vector<Individual>& robots) {
+    Individual& robot = robots[verdict.robot];
+    robot.evaluation = verdict.life.evaluation;
     for (RunObserver* observer : options_.observers)
-      if (auto failure = observer->OnEvaluated(robot, {}))
+      if (auto failure = observer->OnEvaluated(robot, verdict.life.evidence))
         return Fail(std::move(*failure));
     ++result_.evaluations;
     return true;
@@ -171,7 +199,7 @@ class Run {
   void StopIfAsked() {
     if (!options_.should_stop || !options_.should_stop()) return;
     result_.ending = Ending::kStopped;
-    pool_.CancelWaiting();
+    workers_->CancelWaiting();
   }
 
   bool Fail(std::string failure) {
@@ -180,24 +208,27 @@ class Run {
     return false;
   }
 
-  void Tell(const std::vector<Individual>& robots, std::size_t shown) const {
+  void Tell(const std::vector<Individual>& robots) const {
     if (!options_.on_progress) return;
     Progress progress;
     progress.generation = robots.front().generation;
     progress.evaluations = result_.evaluations;
     progress.total = Evaluations(experiment_);
-    progress.workers = pool_.workers();
-    progress.busy_workers = pool_.busy();
-    progress.seasons =
-        result_.population.empty()
-            ? Summarise(robots, shown)
-            : Summarise(result_.population, result_.population.size());
+    progress.workers = workers_->workers();
+    progress.busy_workers = workers_->busy();
+    progress.simulations = judging_.counts().simulations;
+    progress.looked_up = judging_.counts().looked_up;
+    progress.simulated_seconds = judging_.counts().simulated_seconds;
+    progress.seasons = Summarise(
+        result_.population.empty() ? robots : result_.population);
     options_.on_progress(progress);
   }
 
   const Experiment& experiment_;
   const EvolveOptions& options_;
-  WorkerPool pool_;
+  const LifePlanner planner_;
+  std::unique_ptr<Workers> workers_;
+  Judging judging_;
   int next_id_ = 1;
   RunResult result_;
 };

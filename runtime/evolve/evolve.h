@@ -7,13 +7,18 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "runtime/evolve/experiment.h"
 #include "runtime/evolve/individual.h"
+#include "runtime/evolve/judging.h"
 #include "runtime/evolve/run_observer.h"
+#include "runtime/evolve/saved_run.h"
+#include "runtime/evolve/simulation_cache.h"
+#include "runtime/evolve/workers.h"
 
 namespace plsc {
 
@@ -27,20 +32,29 @@ struct SeasonProgress {
 
 struct Progress {
   int generation = 0;            ///< being evaluated
-  std::int64_t evaluations = 0;  ///< done, of all generations
+  std::int64_t evaluations = 0;  ///< robots judged, of the whole run
   std::int64_t total = 0;        ///< of the whole run
   int workers = 0;
   int busy_workers = 0;  ///< at this moment
+  /// Since this process works on the run, in seasons of robots: simulated, and
+  /// looked up because the same was simulated before.
+  std::int64_t simulations = 0;
+  std::int64_t looked_up = 0;
+  double simulated_seconds = 0;  ///< of the simulations
   /// Of the population; of those evaluated so far in generation 0.
   std::vector<SeasonProgress> seasons;
 };
 
-using Evaluator = std::function<Evaluation(const Genotype&)>;
-
 struct EvolveOptions {
   int jobs = 0;  ///< worker processes; 0: as many as there are cores
-  /// Runs in the workers; empty: Evaluate with the experiment's scenario.
-  Evaluator evaluate;
+  /// Other workers than that many forked ones.
+  std::function<std::unique_ptr<Workers>(const Work& work)> make_workers;
+  /// Runs in the workers instead of the physics.
+  SeasonSimulator simulate;
+  /// Asked in this order before anything is simulated; told what was.
+  std::vector<SimulationCache*> caches;
+  /// Where the run stood when it was left; nothing: at the beginning.
+  std::optional<SavedRun> saved;
   /// Asked at least ten times a second; true ends the run when what the
   /// workers have begun is done.
   std::function<bool()> should_stop;
@@ -54,7 +68,8 @@ struct RunResult {
   Ending ending = Ending::kFinished;
   std::string failure;           ///< kFailed only
   int generations = 0;           ///< completed, the initial one included
-  std::int64_t evaluations = 0;  ///< seen by the observers
+  std::int64_t evaluations = 0;  ///< robots judged, of the whole run
+  JudgingCounts counts_of_work;  ///< of this process
   /// Of the last completed generation, and the domination counts that they
   /// survived with.
   std::vector<Individual> population;
@@ -64,9 +79,10 @@ struct RunResult {
   std::optional<Individual> best;
 };
 
-/// A function of the experiment alone: neither `jobs` nor the callbacks change
-/// a bit of what observers see, unless a worker dies. Forks; so call it from
-/// the only thread. The scenario answers all states (CheckSenses).
+/// A function of the experiment alone: neither `jobs`, caches, stops nor the
+/// callbacks change a bit of what observers see, unless a worker dies; only
+/// the order in which evaluations are seen. Forks; so call it from the only
+/// thread. The scenario answers all states (CheckSenses).
 RunResult Evolve(const Experiment& experiment, const EvolveOptions& options);
 
 }  // namespace plsc

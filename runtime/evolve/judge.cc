@@ -1,46 +1,102 @@
 #include "runtime/evolve/judge.h"
 
-#include <algorithm>
+#include <fmt/format.h>
+
 #include <cassert>
-#include <thread>
+#include <charconv>
+#include <string_view>
 #include <utility>
 
 #include "compiler/compile.h"
-#include "runtime/evolve/evaluation_frame.h"
+#include "compiler/print.h"
+#include "runtime/evolve/simulated_frame.h"
 
 namespace plsc {
 
-Work JudgeWith(Evaluator evaluate) {
-  return [evaluate = std::move(evaluate)](const std::string& text) {
-    const Result<Program> program = Compile(Source("<worker>", text));
+namespace {
+
+/// The next line, without its end, which it takes from `text`.
+std::string_view TakeLine(std::string_view& text) {
+  const std::size_t end = text.find('\n');
+  assert(end != std::string_view::npos);
+  const std::string_view line = text.substr(0, end);
+  text.remove_prefix(end + 1);
+  return line;
+}
+
+std::size_t TakeNumber(std::string_view& text) {
+  const std::string_view line = TakeLine(text);
+  std::size_t number = 0;
+  std::from_chars(line.data(), line.data() + line.size(), number);
+  return number;
+}
+
+}  // namespace
+
+// Lines: the first season, how many, how many senses, each sense's name and
+// value on lines of their own (neither has a line's end in it); then the
+// genotype.
+std::string RequestFor(const Genotype& genotype, const Senses& inherited,
+                       const LifePiece& piece) {
+  std::string text = fmt::format("{}\n{}\n{}\n", piece.first,
+                                 piece.keys.size(), inherited.size());
+  for (const auto& [name, value] : inherited)
+    text += fmt::format("{}\n{}\n", name, value);
+  return text + Print(genotype);
+}
+
+Work WorkOf(LifePlanner planner) {
+  return [planner = std::move(planner)](const std::string& request) {
+    std::string_view rest = request;
+    LifePiece piece;
+    piece.first = TakeNumber(rest);
+    piece.keys.resize(TakeNumber(rest));
+    Senses inherited;
+    for (std::size_t left = TakeNumber(rest); left > 0; --left) {
+      const std::string name(TakeLine(rest));
+      inherited[name] = TakeLine(rest);
+    }
+    const Result<Program> program =
+        Compile(Source("<worker>", std::string(rest)));
     // Every genotype prints as text that compiles to an equal one.
     assert(program);
-    return Pack(evaluate(program->genotype));
+    return Pack(planner.Simulate(program->genotype, inherited, piece));
   };
 }
 
-Evaluation EvaluationOf(const Reply& reply,
-                        const std::vector<Season>& seasons) {
-  if (reply.answer) {
-    std::optional<Evaluation> evaluation = Unpack(*reply.answer);
-    assert(evaluation);
-    return std::move(*evaluation);
-  }
-  Evaluation evaluation;
-  for (const Season& season : seasons) {
-    SeasonResult result;
-    result.season = season.name;
-    result.outcome = Outcome::kWorkerDied;
-    result.reason = "the process that simulated it died, twice";
-    evaluation.seasons.push_back(std::move(result));
-  }
-  return evaluation;
+Work WorkFor(const std::string& experiment) {
+  const Result<Experiment> parsed =
+      ParseExperiment(Source("<experiment>", experiment));
+  // It was printed by us.
+  assert(parsed);
+  return WorkOf(LifePlanner(parsed->scenario));
 }
 
-int WorkerCount(int jobs) {
-  if (jobs > 0) return jobs;
-  // 0 where the system does not tell.
-  return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+double HangSeconds(const Experiment& experiment) {
+  // A robot of 256 links, the most that are simulated by default, is simulated
+  // about as fast as it lives (sim/options.h). 20 times slower than life leaves
+  // room for slow and crowded machines, the rest for short seasons.
+  constexpr double kSlowest = 20;
+  constexpr double kAtLeast = 300;
+  double simulated = 0;
+  for (const Season& season : experiment.scenario.seasons)
+    simulated += season.duration;
+  return kAtLeast + kSlowest * simulated;
+}
+
+std::vector<Simulated> SimulatedOf(const Reply& reply, std::size_t seasons) {
+  if (reply.answer) {
+    std::optional<std::vector<Simulated>> simulated = Unpack(*reply.answer);
+    if (simulated && simulated->size() == seasons)
+      return std::move(*simulated);
+  }
+  Simulated died;
+  died.outcome = Outcome::kWorkerDied;
+  died.reason = reply.answer ? "the process that simulated it answered nonsense"
+                             : fmt::format("the process that simulated it "
+                                           "died, twice: {}",
+                                           reply.death);
+  return std::vector<Simulated>(seasons, died);
 }
 
 }  // namespace plsc

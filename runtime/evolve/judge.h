@@ -1,25 +1,35 @@
 #pragma once
 
-// Evaluations by worker processes: genotypes go out as canonical text, and
-// evaluations come back, in any order.
+// Pieces of lives by worker processes: requests and answers as texts. A
+// genotype goes out as canonical text with what it inherits and the seasons to
+// simulate; what the simulator tells comes back, every double bit for bit.
 
-#include <optional>
 #include <string>
 #include <vector>
 
-#include "runtime/evolve/evolve.h"
+#include "runtime/evolve/experiment.h"
 #include "runtime/evolve/workers.h"
+#include "runtime/life_plan.h"
 
 namespace plsc {
 
-/// What workers do with a genotype's text: compile, evaluate, pack.
-Work JudgeWith(Evaluator evaluate);
+/// What a worker is asked to simulate.
+std::string RequestFor(const Genotype& genotype, const Senses& inherited,
+                       const LifePiece& piece);
 
-/// What a reply means. Where workers died, each of `seasons` has the outcome
-/// kWorkerDied and no fitness.
-Evaluation EvaluationOf(const Reply& reply, const std::vector<Season>& seasons);
+/// What workers do with requests for the planner's scenario.
+Work WorkOf(LifePlanner planner);
 
-/// `jobs`, or the number of cores if that is 0.
-int WorkerCount(int jobs);
+/// WorkOf the scenario of an experiment as PrintExperiment writes it, for
+/// workers that know of a run only that text.
+Work WorkFor(const std::string& experiment);
+
+/// s without an answer after which a worker hangs rather than works: far more
+/// than the largest robot takes, so that it is never a matter of speed.
+double HangSeconds(const Experiment& experiment);
+
+/// What a reply means, an item for each of the piece's `seasons`. Where the
+/// workers died each has the outcome kWorkerDied.
+std::vector<Simulated> SimulatedOf(const Reply& reply, std::size_t seasons);
 
 }  // namespace plsc

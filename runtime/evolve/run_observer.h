@@ -9,22 +9,9 @@
 #include <vector>
 
 #include "runtime/evolve/individual.h"
-#include "runtime/key.h"
-#include "runtime/simulated.h"
+#include "runtime/life_plan.h"
 
 namespace plsc {
-
-/// What stands behind one season of an evaluation.
-struct SeasonEvidence {
-  /// Of `body` and `brain`. All three are empty (zero) if no robot developed.
-  Key phenotype;
-  std::string body;   ///< JSON, the shape of `plsc develop --format json`
-  std::string brain;  ///< likewise
-  /// Of all that the simulation is a function of: the phenotype, the season
-  /// and the physics. Zero if there was nothing to simulate.
-  Key simulation;
-  Simulated simulated;
-};
 
 /// What became of one generation. The domination counts are of the pool:
 /// parents and children, or the initial population.

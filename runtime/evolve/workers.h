@@ -1,14 +1,10 @@
 #pragma once
 
-// A pool of worker processes that answer requests, texts both. Processes and
-// not threads, because a robot that crashes the physics must not end the run:
-// docs/decisions/0002-workers-are-processes.md. Knows neither genotypes nor
+// Those who answer requests, texts both: what a run needs to know of its
+// workers, wherever they are. Forked on this machine (worker_pool.h), or by the
+// ranks of an MPI job on many (mpi_session.h). Knows neither genotypes nor
 // evaluations.
 
-#include <sys/types.h>
-
-#include <cstddef>
-#include <deque>
 #include <functional>
 #include <optional>
 #include <string>
@@ -22,56 +18,35 @@ using Work = std::function<std::string(const std::string& request)>;
 struct Reply {
   int ticket = 0;
   std::optional<std::string> answer;  ///< nothing: two workers died on it
-  std::string death;                  ///< of the second, "signal 11"
+  /// How the second died: "signal 11", "exit status 2", "no answer for 600 s".
+  std::string death;
 };
 
-/// Workers are forked from the thread that makes the pool, which must be the
-/// only one; they die with it. Whoever made the pool also uses it.
-class WorkerPool {
+/// Used by one thread, the one that made it.
+class Workers {
  public:
-  WorkerPool(int workers, Work work);
-  ~WorkerPool();  ///< ends all workers at once, busy or not
-  WorkerPool(const WorkerPool&) = delete;
-  WorkerPool& operator=(const WorkerPool&) = delete;
+  Workers() = default;
+  virtual ~Workers() = default;  ///< ends all at once, busy or not
+  Workers(const Workers&) = delete;
+  Workers& operator=(const Workers&) = delete;
 
-  /// Requests are begun in the order of submission.
-  void Submit(int ticket, std::string request);
-  /// Forgets requests that no worker has begun.
-  void CancelWaiting();
-  /// Waits for replies, at most `timeout_ms` or until a signal comes. In the
-  /// order of arrival, which is not that of submission.
-  std::vector<Reply> Wait(int timeout_ms);
+  /// Requests are begun in the order of submission. Tickets differ among those
+  /// that are outstanding.
+  virtual void Submit(int ticket, std::string request) = 0;
+  /// Forgets requests that no worker has begun; they get no reply. Those that
+  /// wait on other machines stay outstanding until a Wait has heard of them.
+  virtual void CancelWaiting() = 0;
+  /// Waits for replies, at most `timeout_ms` or until a signal comes; may come
+  /// back earlier with none. In the order of arrival, which is not that of
+  /// submission.
+  virtual std::vector<Reply> Wait(int timeout_ms) = 0;
 
-  int workers() const { return static_cast<int>(workers_.size()); }
-  int busy() const;
+  virtual int workers() const = 0;
+  virtual int busy() const = 0;
   /// Requests without a reply: begun or waiting.
-  int outstanding() const { return busy() + static_cast<int>(waiting_.size()); }
+  virtual int outstanding() const = 0;
   /// Why there are no workers any more; then nothing will be answered.
-  const std::optional<std::string>& failure() const { return failure_; }
-
- private:
-  struct Request {
-    int ticket = 0;
-    std::string text;
-    int deaths = 0;  // of workers that had it
-  };
-  struct Worker {
-    pid_t pid = 0;
-    int socket = -1;
-    std::optional<Request> request;  // what it works on
-    std::string received;            // of the frame of its answer
-  };
-
-  std::optional<Worker> Start();
-  [[noreturn]] void Serve(int socket, pid_t parent) const;
-  void HandOut();
-  std::optional<Reply> Receive(Worker& worker);
-  std::optional<Reply> Bury(Worker& worker);
-
-  Work work_;
-  std::vector<Worker> workers_;
-  std::deque<Request> waiting_;
-  std::optional<std::string> failure_;
+  virtual const std::optional<std::string>& failure() const = 0;
 };
 
 }  // namespace plsc

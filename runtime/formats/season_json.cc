@@ -19,7 +19,7 @@ Json SensedJson(const std::vector<SensedState>& sensed) {
   Json json = Json::object();
   for (const SensedState& state : sensed)
     json[state.name] = {{"value", state.value},
-                        {"from", state.is_felt ? "imu" : "season"}};
+                        {"from", SenseSourceName(state.from)}};
   return json;
 }
 

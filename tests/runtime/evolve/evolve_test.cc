@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <map>
 #include <set>
 #include <string>
 #include <vector>
@@ -15,24 +16,58 @@ namespace plsc {
 
 namespace {
 
-using test::IdOf;
 using test::Look;
+using test::NumberOf;
 using test::Recorder;
 using test::SmallExperiment;
 
 /// Slower for some than for others, so that answers overtake each other.
-Evaluation LookSlowly(const Genotype& genotype) {
-  usleep(static_cast<useconds_t>(IdOf(genotype) * 7919 % 5) * 500);
-  return Look(genotype);
+Simulated LookSlowly(const Phenotype& robot, const Season& season) {
+  usleep(static_cast<useconds_t>(NumberOf(robot) % 5) * 500);
+  return Look(robot, season);
 }
 
-RunResult Record(const Experiment& experiment, int jobs, Evaluator evaluate,
-                 Recorder& recorder) {
+RunResult Record(const Experiment& experiment, int jobs,
+                 SeasonSimulator simulate, Recorder& recorder) {
   EvolveOptions options;
   options.jobs = jobs;
-  options.evaluate = std::move(evaluate);
+  options.simulate = std::move(simulate);
   options.observers = {&recorder};
   return Evolve(experiment, options);
+}
+
+/// Simulations by key, as a shared cache has them.
+class Memory : public SimulationCache {
+ public:
+  std::map<Key, Simulated> known;
+  std::optional<Simulated> Find(const Key& key) override {
+    const auto found = known.find(key);
+    if (found == known.end()) return std::nullopt;
+    return found->second;
+  }
+  std::optional<std::string> Add(const Key& key,
+                                 const Simulated& simulated) override {
+    known.emplace(key, simulated);
+    return std::nullopt;
+  }
+};
+
+/// That both saw the same, whatever the order.
+void CheckSame(const Recorder& one, const Recorder& other) {
+  REQUIRE(one.individuals.size() == other.individuals.size());
+  for (std::size_t i = 0; i < one.individuals.size(); ++i) {
+    CAPTURE(i + 1);
+    CHECK(one.individuals[i].genotype == other.individuals[i].genotype);
+    CHECK(FitnessesOf(one.individuals[i]) == FitnessesOf(other.individuals[i]));
+    REQUIRE(one.evidence[i].size() == other.evidence[i].size());
+    for (std::size_t k = 0; k < one.evidence[i].size(); ++k) {
+      CHECK(one.evidence[i][k].simulation == other.evidence[i][k].simulation);
+      CHECK(one.evidence[i][k].phenotype == other.evidence[i][k].phenotype);
+      CHECK(one.evidence[i][k].simulated.state_hash ==
+            other.evidence[i][k].simulated.state_hash);
+    }
+  }
+  CHECK(one.generations == other.generations);
 }
 
 std::vector<int> Ids(const std::vector<Individual>& individuals) {
@@ -43,8 +78,7 @@ std::vector<int> Ids(const std::vector<Individual>& individuals) {
 
 }  // namespace
 
-TEST_CASE("A run shows everybody in order of id, and every generation",
-          "[evolve]") {
+TEST_CASE("A run shows every birth, evaluation and generation", "[evolve]") {
   Recorder seen;
   const RunResult result = Record(SmallExperiment(), 2, LookSlowly, seen);
   CHECK(result.ending == Ending::kFinished);
@@ -56,9 +90,14 @@ TEST_CASE("A run shows everybody in order of id, and every generation",
     CHECK(one.id == static_cast<int>(i) + 1);
     CHECK(one.generation == (i < 8 ? 0 : 1 + (static_cast<int>(i) - 8) / 6));
     CHECK(one.heritage.parents.size() == (i < 8 ? 0 : 2));
-    CHECK(FitnessesOf(one) == FitnessesOf({0, 0, {}, {}, Look(one.genotype)}));
   }
+  const std::set<int> evaluated(seen.evaluated.begin(), seen.evaluated.end());
+  CHECK(evaluated.size() == 32);
+  CHECK(seen.evaluated.size() == 32);
   CHECK(seen.generations.size() == 5);
+  REQUIRE(seen.births.size() == 5);
+  CHECK(seen.births[0] == std::vector<int>{1, 2, 3, 4, 5, 6, 7, 8});
+  CHECK(seen.births[4] == std::vector<int>{27, 28, 29, 30, 31, 32});
 }
 
 TEST_CASE("A pool is the survivors and their children; the counts are its",
@@ -116,16 +155,82 @@ TEST_CASE("The best has the highest count and the lowest id", "[evolve]") {
   CHECK(last.best == best);
 }
 
+TEST_CASE("Evaluations are what the seasons tell", "[evolve]") {
+  Recorder seen;
+  Record(SmallExperiment(), 2, LookSlowly, seen);
+  const Scenario scenario = SmallExperiment().scenario;
+  const LifePlanner planner(scenario, Look);
+  for (std::size_t i = 0; i < seen.individuals.size(); ++i) {
+    CAPTURE(i + 1);
+    const Individual& one = seen.individuals[i];
+    std::vector<std::optional<Simulated>> simulated(2);
+    const std::vector<LifePiece> pieces = planner.Plan(one.genotype, {});
+    for (const LifePiece& piece : pieces) {
+      simulated[piece.first] = planner.Simulate(one.genotype, {}, piece)[0];
+      CHECK(seen.evidence[i][piece.first].simulation == piece.keys[0]);
+    }
+    const JudgedLife life = planner.Assemble(one.genotype, {}, simulated);
+    for (std::size_t k = 0; k < 2; ++k) {
+      CHECK(life.evaluation.seasons[k].fitness ==
+            one.evaluation.seasons[k].fitness);
+      CHECK(life.evaluation.seasons[k].state_hash ==
+            one.evaluation.seasons[k].state_hash);
+      CHECK(life.evaluation.seasons[k].change_reason ==
+            one.evaluation.seasons[k].change_reason);
+    }
+  }
+}
+
 TEST_CASE("The number of workers changes nothing", "[evolve]") {
   Recorder one;
   Recorder three;
   Record(SmallExperiment(), 1, Look, one);
   Record(SmallExperiment(), 3, LookSlowly, three);
-  REQUIRE(one.individuals.size() == three.individuals.size());
-  for (std::size_t i = 0; i < one.individuals.size(); ++i)
-    CHECK(one.individuals[i].genotype == three.individuals[i].genotype);
-  for (std::size_t g = 0; g < one.generations.size(); ++g)
-    CHECK(one.generations[g].survivors == three.generations[g].survivors);
+  CheckSame(one, three);
+}
+
+TEST_CASE("Nothing is simulated twice, and caches change nothing",
+          "[evolve]") {
+  // Small genotypes, so that many robots are lone cores.
+  Experiment experiment = SmallExperiment();
+  experiment.genotype.max_groups = 1;
+  experiment.generations = 8;
+  Recorder plain;
+  const RunResult first = Record(experiment, 2, LookSlowly, plain);
+
+  Memory memory;
+  EvolveOptions options;
+  options.jobs = 2;
+  options.simulate = LookSlowly;
+  options.caches = {&memory};
+  Recorder cached;
+  options.observers = {&cached};
+  const RunResult second = Evolve(experiment, options);
+  CheckSame(plain, cached);
+  std::set<Key> different;
+  std::int64_t seasons = 0;
+  for (const auto& evidence : cached.evidence)
+    for (const SeasonEvidence& season : evidence) {
+      different.insert(season.simulation);
+      ++seasons;
+    }
+  CHECK(second.counts_of_work.simulations ==
+        static_cast<std::int64_t>(different.size()));
+  CHECK(second.counts_of_work.simulations + second.counts_of_work.looked_up ==
+        seasons);
+  CHECK(second.counts_of_work.looked_up > first.counts_of_work.looked_up);
+  CHECK(second.counts_of_work.simulated_seconds ==
+        Approx(50.0 * static_cast<double>(different.size())));
+
+  Recorder known;
+  options.observers = {&known};
+  options.simulate = [](const Phenotype&, const Season&) -> Simulated {
+    raise(SIGKILL);
+    return {};
+  };
+  const RunResult third = Evolve(experiment, options);
+  CHECK(third.counts_of_work.simulations == 0);
+  CheckSame(plain, known);
 }
 
 TEST_CASE("Another seed gives another run", "[evolve]") {
@@ -154,7 +259,7 @@ TEST_CASE("Selection makes what it favours common", "[evolve]") {
                   .fitness;
     return sum / static_cast<double>(ids.size());
   };
-  // 4 % of first symbols are A1, and drift alone changes little of it.
+  // Drift alone changes little of it.
   CHECK(mean(seen.generations.back().survivors) >
         2 * mean(seen.generations.front().survivors));
 }
@@ -163,26 +268,58 @@ TEST_CASE("A run that is asked to stop ends with what has begun", "[evolve]") {
   Recorder seen;
   EvolveOptions options;
   options.jobs = 2;
-  options.evaluate = LookSlowly;
+  options.simulate = LookSlowly;
   options.observers = {&seen};
-  options.should_stop = [&] { return seen.individuals.size() >= 10; };
+  options.should_stop = [&] { return seen.evaluated.size() >= 10; };
   const RunResult result = Evolve(SmallExperiment(), options);
   CHECK(result.ending == Ending::kStopped);
   CHECK(result.generations == 1);
   CHECK(seen.generations.size() == 1);
-  CHECK(result.evaluations == static_cast<int>(seen.individuals.size()));
-  CHECK(seen.individuals.size() >= 10);
-  CHECK(seen.individuals.size() < 14);  // the generation was not completed
-  for (std::size_t i = 0; i < seen.individuals.size(); ++i)
-    CHECK(seen.individuals[i].id == static_cast<int>(i) + 1);
+  CHECK(result.evaluations == static_cast<int>(seen.evaluated.size()));
+  CHECK(seen.evaluated.size() >= 10);
+  CHECK(seen.evaluated.size() < 14);  // the generation was not completed
   CHECK(Ids(result.population) == seen.generations[0].survivors);
   CHECK(result.best);
+}
+
+TEST_CASE("A run goes on from any evaluation as if never left", "[evolve]") {
+  Recorder whole;
+  Record(SmallExperiment(), 2, Look, whole);
+  for (std::size_t left_after = 0; left_after <= 32; ++left_after) {
+    CAPTURE(left_after);
+    Recorder seen;
+    EvolveOptions options;
+    options.jobs = 2;
+    options.simulate = Look;
+    options.observers = {&seen};
+    options.should_stop = [&] { return seen.evaluated.size() >= left_after; };
+    const RunResult first = Evolve(SmallExperiment(), options);
+    SavedRun saved;
+    saved.generations = first.generations;
+    saved.population = first.population;
+    saved.counts = first.counts;
+    saved.evaluations = first.evaluations;
+    const int begun = seen.births.empty() ? 0 : seen.births.back().front();
+    for (const int id : seen.evaluated)
+      if (id >= begun && seen.births.size() > seen.generations.size())
+        saved.evaluated[id] =
+            seen.individuals[static_cast<std::size_t>(id - 1)].evaluation;
+    options.saved = saved;
+    options.should_stop = nullptr;
+    const RunResult result = Evolve(SmallExperiment(), options);
+    CHECK(result.ending == Ending::kFinished);
+    CHECK(result.evaluations == 32);
+    CHECK(seen.evaluated.size() == 32);
+    REQUIRE(result.best);
+    CHECK(result.best->id == whole.generations.back().best);
+    CheckSame(whole, seen);
+  }
 }
 
 TEST_CASE("A run that is stopped at once has no best", "[evolve]") {
   EvolveOptions options;
   options.jobs = 1;
-  options.evaluate = Look;
+  options.simulate = Look;
   options.should_stop = [] { return true; };
   const RunResult result = Evolve(SmallExperiment(), options);
   CHECK(result.ending == Ending::kStopped);
@@ -193,7 +330,7 @@ TEST_CASE("A run that is stopped at once has no best", "[evolve]") {
 
 TEST_CASE("An observer that fails ends the run", "[evolve]") {
   Recorder seen;
-  seen.failing_id = 5;
+  seen.failing_after = 4;
   const RunResult result = Record(SmallExperiment(), 2, Look, seen);
   CHECK(result.ending == Ending::kFailed);
   CHECK(result.failure == "the disk is full");
@@ -203,27 +340,32 @@ TEST_CASE("An observer that fails ends the run", "[evolve]") {
 TEST_CASE("Who kills its workers has no fitness, and the run goes on",
           "[evolve]") {
   Recorder seen;
-  const auto deadly = [](const Genotype& genotype) {
-    if (IdOf(genotype) == 5) raise(SIGKILL);
-    return Look(genotype);
+  const auto deadly = [](const Phenotype& robot, const Season& season) {
+    if (NumberOf(robot) % 4 == 1 && season.name == "flat") raise(SIGKILL);
+    return Look(robot, season);
   };
   const RunResult result = Record(SmallExperiment(), 2, deadly, seen);
   CHECK(result.ending == Ending::kFinished);
   CHECK(result.evaluations == 32);
-  const Evaluation& dead = seen.individuals[4].evaluation;
-  REQUIRE(dead.seasons.size() == 2);
-  for (const SeasonResult& season : dead.seasons) {
-    CHECK(season.outcome == Outcome::kWorkerDied);
-    CHECK_FALSE(season.fitness);
+  int deaths = 0;
+  for (const Individual& one : seen.individuals) {
+    REQUIRE(one.evaluation.seasons.size() == 2);
+    const SeasonResult& flat = one.evaluation.seasons[0];
+    if (flat.outcome != Outcome::kWorkerDied) continue;
+    ++deaths;
+    CHECK_FALSE(flat.fitness);
+    CHECK(flat.body.absolute_size > 0);  // it developed
+    CHECK(flat.reason.find("signal 9") != std::string::npos);
+    CHECK(one.evaluation.seasons[1].outcome != Outcome::kWorkerDied);
   }
-  CHECK(seen.generations[0].counts[4] == 0);
+  CHECK(deaths > 0);
 }
 
 TEST_CASE("Progress counts up to the whole run", "[evolve]") {
   std::vector<Progress> reports;
   EvolveOptions options;
   options.jobs = 2;
-  options.evaluate = Look;
+  options.simulate = Look;
   options.on_progress = [&](const Progress& progress) {
     reports.push_back(progress);
   };

@@ -1,21 +1,8 @@
 #include "tests/runtime/evolve/fake_run.h"
 
+#include "runtime/formats/phenotype_json.h"
+
 namespace plsc::test {
-
-namespace {
-
-double Share(const Genotype& genotype, SymbolId id) {
-  int count = 0;
-  int all = 0;
-  for (const Rule& rule : genotype.rules)
-    for (const Symbol& symbol : rule.production) {
-      count += symbol.id == id ? 1 : 0;
-      ++all;
-    }
-  return static_cast<double>(count) / all;
-}
-
-}  // namespace
 
 Experiment SmallExperiment() {
   Experiment experiment;
@@ -25,39 +12,51 @@ Experiment SmallExperiment() {
   return experiment;
 }
 
-Evaluation Look(const Genotype& genotype) {
-  Evaluation evaluation;
-  SeasonResult flat;
-  flat.season = "flat";
-  flat.fitness = Share(genotype, plasticoding::kA1);
-  SeasonResult tilted;
-  tilted.season = "tilted";
-  tilted.fitness = Share(genotype, plasticoding::kT);
-  if (IdOf(genotype) % 11 == 0) {
-    tilted.outcome = Outcome::kOverlapping;
-    tilted.fitness.reset();
+std::uint64_t NumberOf(const Phenotype& robot) {
+  return KeyOf(BodyJson(robot.body) + BrainJson(robot)).low;
+}
+
+Simulated Look(const Phenotype& robot, const Season& season) {
+  Simulated seen;
+  seen.steps = 10000;
+  seen.state_hash = NumberOf(robot) + season.name.size();
+  const bool is_flat = season.name == "flat";
+  if (!is_flat && NumberOf(robot) % 11 == 0) {
+    seen.outcome = Outcome::kUnstable;
+    seen.reason = "a joint was torn";
+    return seen;
   }
-  evaluation.seasons = {flat, tilted};
-  return evaluation;
+  double liked = 0;
+  for (const Module& module : robot.body.modules)
+    liked += is_flat ? IsJoint(module.type) : module.type ==
+                                                  ModuleType::kTouchSensor;
+  seen.behaviour.is_valid = true;
+  seen.behaviour.displacement_velocity_hill =
+      0.01 + liked / 3 + 1e-3 * static_cast<double>(NumberOf(robot) % 7);
+  return seen;
 }
 
-int IdOf(const Genotype& genotype) {
-  return std::stoi(genotype.name.substr(genotype.name.find('_') + 1));
-}
-
-std::optional<std::string> Recorder::OnBirths(const std::vector<Individual>&) {
+RunObserver::Failure Recorder::OnBirths(const std::vector<Individual>& born) {
+  std::vector<int> ids;
+  for (const Individual& one : born) ids.push_back(one.id);
+  births.push_back(ids);
+  individuals.resize(static_cast<std::size_t>(ids.back()));
+  evidence.resize(individuals.size());
   return std::nullopt;
 }
 
-std::optional<std::string> Recorder::OnEvaluated(
-    const Individual& one, const std::vector<SeasonEvidence>&) {
-  if (one.id == failing_id) return "the disk is full";
-  individuals.push_back(one);
+RunObserver::Failure Recorder::OnEvaluated(
+    const Individual& one, const std::vector<SeasonEvidence>& its) {
+  if (failing_after > 0 && evaluated.size() == failing_after)
+    return "the disk is full";
+  const auto place = static_cast<std::size_t>(one.id - 1);
+  individuals[place] = one;
+  evidence[place] = its;
+  evaluated.push_back(one.id);
   return std::nullopt;
 }
 
-std::optional<std::string> Recorder::OnGeneration(
-    const GenerationRecord& record) {
+RunObserver::Failure Recorder::OnGeneration(const GenerationRecord& record) {
   generations.push_back(record);
   return std::nullopt;
 }

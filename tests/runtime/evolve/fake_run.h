@@ -1,7 +1,8 @@
 #pragma once
 
 // What tests of whole runs share: a small experiment whose robots are judged
-// by a look at the genotype, and an observer that keeps all it sees.
+// by a look at the phenotype instead of by physics, and an observer that keeps
+// all it sees.
 
 #include <string>
 #include <vector>
@@ -10,31 +11,32 @@
 
 namespace plsc::test {
 
-/// 8 parents, 6 children, 5 generations: 32 evaluations.
+/// 8 parents, 6 children, 5 generations: 32 evaluations. The paper's seasons.
 Experiment SmallExperiment();
 
-/// Two seasons as SmallExperiment has, the fitness of each from counts of
-/// symbols; the flat one likes joints, the tilted one touch sensors. Every
-/// eleventh robot has no fitness on the slope.
-Evaluation Look(const Genotype& genotype);
+/// A robot's speed from counts of modules: the flat season likes joints, the
+/// tilted one touch sensors. Every eleventh body or so is unstable on the
+/// slope.
+Simulated Look(const Phenotype& robot, const Season& season);
 
-/// The number in "robot_17".
-int IdOf(const Genotype& genotype);
+/// A number of the phenotype, evenly spread.
+std::uint64_t NumberOf(const Phenotype& robot);
 
 class Recorder : public RunObserver {
  public:
+  std::vector<std::vector<int>> births;  ///< ids, by generation
+  /// By id from 1; those not evaluated have id 0.
   std::vector<Individual> individuals;
+  std::vector<std::vector<SeasonEvidence>> evidence;  ///< by id from 1
+  std::vector<int> evaluated;                         ///< ids as they came
   std::vector<GenerationRecord> generations;
-  /// Id at which OnEvaluated fails; 0: never.
-  int failing_id = 0;
+  /// What OnEvaluated fails after; 0: never.
+  std::size_t failing_after = 0;
 
-  std::optional<std::string> OnBirths(
-      const std::vector<Individual>& born) override;
-  std::optional<std::string> OnEvaluated(
-      const Individual& one,
-      const std::vector<SeasonEvidence>& evidence) override;
-  std::optional<std::string> OnGeneration(
-      const GenerationRecord& record) override;
+  Failure OnBirths(const std::vector<Individual>& born) override;
+  Failure OnEvaluated(const Individual& one,
+                      const std::vector<SeasonEvidence>& its) override;
+  Failure OnGeneration(const GenerationRecord& record) override;
 };
 
 }  // namespace plsc::test

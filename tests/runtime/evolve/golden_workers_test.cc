@@ -5,7 +5,7 @@
 #include <map>
 #include <string>
 
-#include "runtime/evolve/workers.h"
+#include "runtime/evolve/worker_pool.h"
 #include "tests/sim/golden_robots.h"
 
 namespace plsc {

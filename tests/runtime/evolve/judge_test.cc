@@ -2,36 +2,72 @@
 
 #include <catch2/catch.hpp>
 
-#include "compiler/print.h"
 #include "tests/runtime/evolve/fake_run.h"
 
 namespace plsc {
 
-TEST_CASE("A worker judges the genotype that was sent", "[judge]") {
+namespace {
+
+Genotype Robot() {
   Rng rng({31, 0, 0, Purpose::kInitialise});
-  Genotype sent = Initialise({}, rng);
-  sent.name = "robot_1";
-  const Work work = JudgeWith([&](const Genotype& received) {
-    CHECK(received == sent);
-    return test::Look(received);
-  });
-  const Evaluation evaluation = EvaluationOf({1, work(Print(sent)), ""}, {});
-  REQUIRE(evaluation.seasons.size() == 2);
-  CHECK(evaluation.seasons[0].fitness == test::Look(sent).seasons[0].fitness);
+  Genotype genotype = Initialise({}, rng);
+  genotype.name = "robot_1";
+  return genotype;
 }
 
-TEST_CASE("A death is an outcome of every season", "[judge]") {
-  const Evaluation evaluation =
-      EvaluationOf({1, std::nullopt, "signal 11"}, PaperScenario().seasons);
-  REQUIRE(evaluation.seasons.size() == 2);
-  CHECK(evaluation.seasons[0].season == "flat");
-  CHECK(evaluation.seasons[1].outcome == Outcome::kWorkerDied);
-  CHECK_FALSE(evaluation.seasons[1].fitness);
+}  // namespace
+
+TEST_CASE("A worker simulates the piece of the life that was sent",
+          "[judge]") {
+  const LifePlanner planner(PaperScenario(), test::Look);
+  const Work work = WorkOf(planner);
+  for (const Senses& inherited :
+       {Senses{}, Senses{{"inclined", "True"}}}) {
+    for (const LifePiece& piece : planner.Plan(Robot(), inherited)) {
+      CAPTURE(piece.first, inherited.size());
+      const std::string answer = work(RequestFor(Robot(), inherited, piece));
+      const std::vector<Simulated> told = SimulatedOf({1, answer, ""}, 1);
+      const std::vector<Simulated> own =
+          planner.Simulate(Robot(), inherited, piece);
+      REQUIRE(told.size() == 1);
+      CHECK(told[0].state_hash == own[0].state_hash);
+      CHECK(told[0].behaviour.displacement_velocity_hill ==
+            own[0].behaviour.displacement_velocity_hill);
+    }
+  }
 }
 
-TEST_CASE("There is always at least one worker", "[judge]") {
-  CHECK(WorkerCount(3) == 3);
-  CHECK(WorkerCount(0) >= 1);
+TEST_CASE("A worker needs only the experiment as it is printed", "[judge]") {
+  Experiment experiment;
+  experiment.scenario.seasons[0].duration = 0.5;
+  experiment.scenario.seasons[1].duration = 0.5;
+  const LifePlanner planner(experiment.scenario);
+  const Work work = WorkFor(PrintExperiment(experiment));
+  const LifePiece piece = planner.Plan(Robot(), {})[1];
+  const std::vector<Simulated> told =
+      SimulatedOf({1, work(RequestFor(Robot(), {}, piece)), ""}, 1);
+  CHECK(told[0].state_hash ==
+        planner.Simulate(Robot(), {}, piece)[0].state_hash);
+  CHECK(told[0].state_hash != 0);
+}
+
+TEST_CASE("A death, or nonsense, is an outcome of every season", "[judge]") {
+  for (const Reply& reply :
+       {Reply{1, std::nullopt, "signal 11"}, Reply{1, "nonsense", ""}}) {
+    const std::vector<Simulated> told = SimulatedOf(reply, 2);
+    REQUIRE(told.size() == 2);
+    CHECK(told[0].outcome == Outcome::kWorkerDied);
+    CHECK(told[1].outcome == Outcome::kWorkerDied);
+    CHECK_FALSE(told[1].reason.empty());
+  }
+}
+
+TEST_CASE("Workers may take far longer than any robot needs", "[judge]") {
+  Experiment experiment;
+  CHECK(HangSeconds(experiment) > 1000);
+  experiment.scenario.seasons.resize(1);
+  experiment.scenario.seasons[0].duration = 1;
+  CHECK(HangSeconds(experiment) > 60);
 }
 
 }  // namespace plsc

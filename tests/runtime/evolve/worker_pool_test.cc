@@ -1,4 +1,4 @@
-#include "runtime/evolve/workers.h"
+#include "runtime/evolve/worker_pool.h"
 
 #include <poll.h>
 #include <signal.h>

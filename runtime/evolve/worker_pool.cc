@@ -1,4 +1,4 @@
-#include "runtime/evolve/workers.h"
+#include "runtime/evolve/worker_pool.h"
 
 #include <fmt/format.h>
 #include <poll.h>
@@ -84,9 +84,10 @@ std::string LastError(const char* what) {
 
 }  // namespace
 
-WorkerPool::WorkerPool(int workers, Work work) : work_(std::move(work)) {
-  assert(workers >= 1);
-  for (int i = 0; i < workers; ++i)
+WorkerPool::WorkerPool(const WorkerPoolOptions& options, Work work)
+    : work_(std::move(work)) {
+  assert(options.workers >= 1);
+  for (int i = 0; i < options.workers; ++i)
     if (std::optional<Worker> worker = Start())
       workers_.push_back(std::move(*worker));
   // Fewer than asked for are still enough.

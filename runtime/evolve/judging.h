@@ -1,0 +1,83 @@
+#pragma once
+
+// One generation before the judges: every piece of every life is looked up, or
+// simulated by a worker, once, however many robots live it.
+
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "runtime/evolve/individual.h"
+#include "runtime/evolve/simulation_cache.h"
+#include "runtime/evolve/workers.h"
+#include "runtime/life_plan.h"
+
+namespace plsc {
+
+/// Counted in seasons of robots.
+struct JudgingCounts {
+  std::int64_t simulations = 0;
+  /// Found in a cache, or the same as another's of the generation.
+  std::int64_t looked_up = 0;
+  double simulated_seconds = 0;  ///< of the simulations
+};
+
+struct Verdict {
+  std::size_t robot = 0;  ///< index into what Begin was given
+  JudgedLife life;
+};
+
+/// What it is given must outlive it. One generation after the other.
+class Judging {
+ public:
+  Judging(const LifePlanner& planner, Workers& workers,
+          std::vector<SimulationCache*> caches)
+      : planner_(planner), workers_(workers), caches_(std::move(caches)) {}
+
+  /// Robots (which stay where they are until the last verdict) of which those
+  /// with an evaluation are judged already.
+  void Begin(const std::vector<Individual>& robots);
+  /// In the order in which they become known; waits at most `timeout_ms`, and
+  /// not at all if there are some.
+  std::vector<Verdict> Wait(int timeout_ms);
+  /// Verdicts still to come.
+  std::size_t outstanding() const { return outstanding_; }
+  /// What went wrong, if no more verdicts will come.
+  const std::optional<std::string>& failure() const { return failure_; }
+  const JudgingCounts& counts() const { return counts_; }
+
+ private:
+  struct OpenLife {
+    std::vector<std::optional<Simulated>> seasons;
+    std::size_t pieces = 0;  // not known yet
+  };
+  struct Order {
+    LifePiece piece;
+    std::vector<std::size_t> robots;  // who live it
+  };
+
+  void Take(std::size_t robot, LifePiece piece);
+  std::optional<std::vector<Simulated>> LookUp(const LifePiece& piece);
+  void Fill(std::size_t robot, const LifePiece& piece,
+            const std::vector<Simulated>& simulated);
+  void Receive(const Reply& reply);
+  double StepOf(std::size_t season) const;
+
+  const LifePlanner& planner_;
+  Workers& workers_;
+  std::vector<SimulationCache*> caches_;
+  const std::vector<Individual>* robots_ = nullptr;
+  std::vector<OpenLife> lives_;
+  std::vector<Order> orders_;           // by ticket
+  std::map<Key, std::size_t> tickets_;  // by first key of the piece
+  std::deque<std::size_t> known_;       // robots with all seasons
+  std::size_t outstanding_ = 0;
+  std::optional<std::string> failure_;
+  JudgingCounts counts_;
+};
+
+}  // namespace plsc

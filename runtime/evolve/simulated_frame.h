@@ -1,0 +1,20 @@
+#pragma once
+
+// What the simulator told as bytes, for the way from a worker to the run and
+// into a shared cache: every double bit for bit. The layout is spelled out,
+// because machines of a cluster and versions of a cache read each other's.
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "runtime/simulated.h"
+
+namespace plsc {
+
+std::string Pack(const std::vector<Simulated>& seasons);
+/// Nothing when the bytes are not a whole one.
+std::optional<std::vector<Simulated>> Unpack(std::string_view bytes);
+
+}  // namespace plsc

@@ -1,0 +1,160 @@
+#include "runtime/season_teller.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <numbers>
+
+#include "runtime/develop.h"
+#include "runtime/environment.h"
+
+namespace plsc {
+
+namespace {
+
+/// "inclined=True (IMU 5.0 deg)", "inclined False -> True".
+std::string TellState(const SensedState& state,
+                      const std::optional<double>& inclination,
+                      std::string_view before) {
+  const std::string value = before.empty()
+                                ? "=" + state.value
+                                : fmt::format(" {} -> {}", before, state.value);
+  if (state.from == SenseSource::kParent)
+    return fmt::format("{}{} (parent)", state.name, value);
+  if (state.from != SenseSource::kImu) return state.name + value;
+  return fmt::format("{}{} (IMU {:.1f} deg)", state.name, value,
+                     *inclination * 180 / std::numbers::pi);
+}
+
+}  // namespace
+
+bool SeasonTeller::IsGrown() const {
+  return scenario_.plasticity == Plasticity::kMorphogenesis && robot_;
+}
+
+bool SeasonTeller::AsksImu() const {
+  if (IsInherited() || IsGrown()) return false;
+  return std::any_of(
+      genotype_.states.begin(), genotype_.states.end(),
+      [&](const State& state) { return IsFelt(scenario_, season(), state); });
+}
+
+std::vector<SensedState> SeasonTeller::SenseNow(
+    std::optional<double> inclination) const {
+  if (IsGrown()) return sensed_;
+  std::vector<SensedState> sensed;
+  for (const State& state : genotype_.states) {
+    if (IsInherited()) {
+      const auto own = inherited_.find(state.name);
+      assert(own != inherited_.end());
+      sensed.push_back({state.name, own->second, SenseSource::kParent});
+    } else if (IsFelt(scenario_, season(), state)) {
+      const bool is_inclined = *inclination > scenario_.imu.threshold;
+      sensed.push_back(
+          {state.name, is_inclined ? "True" : "False", SenseSource::kImu});
+    } else {
+      const auto given = season().senses.find(state.name);
+      assert(given != season().senses.end());
+      sensed.push_back({state.name, given->second, SenseSource::kSeason});
+    }
+  }
+  return sensed;
+}
+
+SeasonResult SeasonTeller::Begin() const {
+  SeasonResult result;
+  result.season = season().name;
+  result.profile = scenario_.profile;
+  return result;
+}
+
+void SeasonTeller::TellChange(const Phenotype& robot,
+                              SeasonResult& result) const {
+  result.change = !robot_                        ? Change::kBorn
+                  : robot.body != robot_->body   ? Change::kBody
+                  : robot.brain != robot_->brain ? Change::kBrain
+                                                 : Change::kNone;
+  if (IsGrown()) {
+    result.change_reason = "developed at birth";
+    return;
+  }
+  std::vector<std::string> parts;
+  for (std::size_t i = 0; i < result.sensed.size(); ++i) {
+    const SensedState& now = result.sensed[i];
+    if (!robot_)
+      parts.push_back(TellState(now, result.inclination, ""));
+    else if (now.value != sensed_[i].value)
+      parts.push_back(TellState(now, result.inclination, sensed_[i].value));
+  }
+  result.change_reason = parts.empty()
+                             ? (robot_ ? "senses as before" : "senses nothing")
+                             : fmt::format("{}", fmt::join(parts, ", "));
+}
+
+Told SeasonTeller::Next(double begin, std::optional<double> inclination) {
+  assert(!is_over() && inclination.has_value() == AsksImu());
+  Told told;
+  SeasonResult& result = told.result = Begin();
+  result.begin = begin;
+  result.inclination = inclination;
+  result.sensed = SenseNow(inclination);
+  told.robot =
+      IsGrown() ? robot_ : Develop(genotype_, EnvironmentOf(result.sensed, genotype_.states));
+  if (told.robot) {
+    TellChange(*told.robot, result);
+    result.body = DescribeBody(told.robot->body);
+    result.brain = DescribeBrain(*told.robot);
+    robot_ = told.robot;
+    sensed_ = result.sensed;
+  } else {
+    result.outcome = Outcome::kUndeveloped;
+    result.reason = "the string would grow beyond 2^20 symbols";
+  }
+  ++next_;
+  return told;
+}
+
+SeasonResult SeasonTeller::Skip() {
+  SeasonResult result = Begin();
+  result.outcome = Outcome::kNotReached;
+  ++next_;
+  return result;
+}
+
+Environment EnvironmentOf(const std::vector<SensedState>& sensed,
+                          const std::vector<State>& states) {
+  assert(sensed.size() == states.size());
+  Environment environment;
+  for (std::size_t i = 0; i < sensed.size(); ++i) {
+    const auto value = ParseStateValue(sensed[i].value, states[i]);
+    assert(value);
+    environment.values.push_back(*value);
+  }
+  return environment;
+}
+
+SeasonResult Complete(SeasonResult told, const Simulated& simulated) {
+  SeasonResult result = std::move(told);
+  result.begin = simulated.begin;
+  result.outcome = simulated.outcome;
+  result.reason = simulated.reason;
+  result.behaviour = simulated.behaviour;
+  result.state_hash = simulated.state_hash;
+  result.steps = simulated.steps;
+  result.solver_warnings = simulated.solver_warnings;
+  if (result.outcome != Outcome::kCompleted) return result;
+  const double speed = result.behaviour.displacement_velocity_hill;
+  assert(std::isfinite(speed));
+  result.fitness = SeasonFitness(speed, result.body.hinge_count);
+  return result;
+}
+
+Simulated SimulatedOf(const SeasonResult& result) {
+  return {result.begin,     result.inclination, result.outcome,
+          result.reason,    result.behaviour,   result.state_hash,
+          result.steps,     result.solver_warnings};
+}
+
+}  // namespace plsc

@@ -1,0 +1,71 @@
+#pragma once
+
+// What can be told of a season without simulating it: what the robot senses,
+// what develops of it, and how that differs from the season before. Only
+// whether the ground feels inclined must be known.
+
+#include <map>
+#include <optional>
+#include <string>
+
+#include "runtime/evaluation.h"
+
+namespace plsc {
+
+struct Told {
+  /// All but what the simulator tells (Simulated); the outcome is kUndeveloped
+  /// when there is no robot.
+  SeasonResult result;
+  std::optional<Phenotype> robot;
+};
+
+/// Tells a life season by season. What it is given must outlive it, and what
+/// the robot senses must be known (CheckSenses). `inherited`, if not empty, has
+/// a value for every state and goes before what is sensed in the first season.
+class SeasonTeller {
+ public:
+  SeasonTeller(const Genotype& genotype, const Scenario& scenario,
+               const Senses& inherited)
+      : genotype_(genotype), scenario_(scenario), inherited_(inherited) {}
+
+  bool is_over() const { return next_ == scenario_.seasons.size(); }
+  const Season& season() const { return scenario_.seasons[next_]; }
+  /// Whether the robot reads its IMU when the next season begins.
+  bool AsksImu() const;
+  /// The next season: `begin` in s since birth, `inclination` in rad, given if
+  /// AsksImu().
+  Told Next(double begin, std::optional<double> inclination);
+  /// A season that the life did not reach.
+  SeasonResult Skip();
+  /// Of the season told last.
+  const std::optional<Phenotype>& robot() const { return robot_; }
+
+ private:
+  bool IsInherited() const { return next_ == 0 && !inherited_.empty(); }
+  /// Body and brain of birth are kept.
+  bool IsGrown() const;
+  std::vector<SensedState> SenseNow(
+      std::optional<double> inclination) const;
+  SeasonResult Begin() const;
+  void TellChange(const Phenotype& robot, SeasonResult& result) const;
+
+  const Genotype& genotype_;
+  const Scenario& scenario_;
+  const Senses& inherited_;
+  std::size_t next_ = 0;
+  std::optional<Phenotype> robot_;   // of the season before
+  std::vector<SensedState> sensed_;  // in the season before
+};
+
+/// What regulates a robot that senses this, of the genotype's states in their
+/// order.
+Environment EnvironmentOf(const std::vector<SensedState>& sensed,
+                          const std::vector<State>& states);
+
+/// A season told and simulated; `told` of a robot that developed.
+SeasonResult Complete(SeasonResult told, const Simulated& simulated);
+
+/// What the simulator told of it.
+Simulated SimulatedOf(const SeasonResult& result);
+
+}  // namespace plsc
