@@ -249,10 +249,10 @@ Database::Failure Database::Open(const std::string& path, Mode mode) {
 Database::Failure Database::Connect(Mode mode) {
   const bool is_reading = mode == Mode::kRead;
   const bool is_immutable = is_reading && NeedsNoSharing(path_);
-  const int flags = is_reading              ? SQLITE_OPEN_READONLY
-                    : mode == Mode::kCreate ? SQLITE_OPEN_READWRITE |
-                                                  SQLITE_OPEN_CREATE
-                                            : SQLITE_OPEN_READWRITE;
+  const int flags = is_reading ? SQLITE_OPEN_READONLY
+                    : mode == Mode::kCreate
+                        ? SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE
+                        : SQLITE_OPEN_READWRITE;
   const std::string name = is_immutable ? UriOf(path_) : path_;
   Check(sqlite3_open_v2(name.c_str(), &connection_,
                         flags | (is_immutable ? SQLITE_OPEN_URI : 0), nullptr));
@@ -279,8 +279,7 @@ void Database::Close() {
 
 void Database::Run(const std::string& sql) {
   if (connection_ == nullptr || has_failed()) return;
-  Check(
-      sqlite3_exec(connection_, sql.c_str(), nullptr, nullptr, nullptr));
+  Check(sqlite3_exec(connection_, sql.c_str(), nullptr, nullptr, nullptr));
 }
 
 void Database::Check(int code) {

@@ -96,8 +96,8 @@ std::optional<std::vector<SensedState>> SensedOf(const std::string& sensed,
   std::vector<SensedState> states;
   for (const auto& [name, value] : json.items()) {
     if (!value.is_string()) return std::nullopt;
-    const bool is_felt = std::find(own->begin(), own->end(), name) !=
-                         own->end();
+    const bool is_felt =
+        std::find(own->begin(), own->end(), name) != own->end();
     states.push_back({name, value.get<std::string>(), is_felt});
   }
   return states;

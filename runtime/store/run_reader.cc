@@ -157,8 +157,8 @@ RunReader::RunReader(Database& database)
                "WHERE generation = ? ORDER BY place") {}
 
 void RunReader::Damaged(const std::string& what) {
-  database_.Fail(
-      fmt::format("'{}' is damaged: {} cannot be read", database_.path(), what));
+  database_.Fail(fmt::format("'{}' is damaged: {} cannot be read",
+                             database_.path(), what));
 }
 
 std::optional<Birth> RunReader::FindBirth(int id) {
@@ -202,8 +202,7 @@ Individual RunReader::FindIndividual(int id) {
   one.id = id;
   std::optional<Birth> birth = FindBirth(id);
   if (!birth) {
-    database_.Fail(
-        fmt::format("'{}' has no robot {}", database_.path(), id));
+    database_.Fail(fmt::format("'{}' has no robot {}", database_.path(), id));
     return one;
   }
   one.generation = birth->generation;
@@ -266,13 +265,11 @@ std::optional<GenerationRecord> RunReader::FindGeneration(int number) {
 }
 
 int RunReader::Generations() {
-  return static_cast<int>(
-      Single(database_, "SELECT count(*) FROM generation"));
+  return static_cast<int>(Single(database_, "SELECT count(*) FROM generation"));
 }
 
 std::int64_t RunReader::Evaluations() {
-  return Single(database_,
-                "SELECT count(*) FROM evaluation WHERE season = 1");
+  return Single(database_, "SELECT count(*) FROM evaluation WHERE season = 1");
 }
 
 std::vector<int> RunReader::EvaluatedSince(int id) {

@@ -41,8 +41,8 @@ class RunReader {
   std::vector<std::optional<double>> FindFitnesses(int id);
   std::optional<GenerationRecord> FindGeneration(int number);
 
-  int Generations();                ///< completed
-  std::int64_t Evaluations();       ///< individuals with an evaluation
+  int Generations();                        ///< completed
+  std::int64_t Evaluations();               ///< individuals with an evaluation
   std::vector<int> EvaluatedSince(int id);  ///< ids from `id` on, ascending
 
  private:

@@ -91,10 +91,9 @@ bool Explains(const SeasonEvidence& evidence, const SeasonResult& result) {
       simulated.state_hash == result.state_hash &&
       simulated.steps == result.steps &&
       simulated.solver_warnings == result.solver_warnings;
-  return is_simulation_same &&
-         (HasPhenotype(evidence) ||
-          (IsSameList(BodyDescriptors{}, result.body) &&
-           IsSameList(BrainDescriptors{}, result.brain)));
+  return is_simulation_same && (HasPhenotype(evidence) ||
+                                (IsSameList(BodyDescriptors{}, result.body) &&
+                                 IsSameList(BrainDescriptors{}, result.brain)));
 }
 
 std::optional<std::string> HexOf(const Key& key, bool is_there) {
@@ -131,25 +130,22 @@ RunWriter::RunWriter(Database& database, RunReader& reader,
       find_rule_(database, "SELECT id FROM rule WHERE text = ?"),
       genotype_rule_(database, Insert("genotype_rule",
                                       {"individual", "position", "rule"})),
-      phenotype_(database,
-                 Insert("phenotype",
-                        Joined({"key", "body", "brain"}, PhenotypeColumns(),
-                               {}),
-                        "ON CONFLICT DO NOTHING")),
-      simulation_(
-          database,
-          Insert("simulation",
-                 Joined({"key", "begin", "inclination", "outcome", "reason",
-                         "is_valid"},
-                        BehaviourColumns(),
-                        {"state_hash", "steps", "solver_warnings"}))),
+      phenotype_(database, Insert("phenotype",
+                                  Joined({"key", "body", "brain"},
+                                         PhenotypeColumns(), {}),
+                                  "ON CONFLICT DO NOTHING")),
+      simulation_(database,
+                  Insert("simulation",
+                         Joined({"key", "begin", "inclination", "outcome",
+                                 "reason", "is_valid"},
+                                BehaviourColumns(),
+                                {"state_hash", "steps", "solver_warnings"}))),
       evaluation_(
           database,
-          Insert("evaluation",
-                 {"individual", "season", "phenotype", "simulation", "profile",
-                  "begin", "inclination", "sensed", "felt", "change",
-                  "change_reason", "outcome", "reason", "fitness",
-                  "checksum"})),
+          Insert("evaluation", {"individual", "season", "phenotype",
+                                "simulation", "profile", "begin", "inclination",
+                                "sensed", "felt", "change", "change_reason",
+                                "outcome", "reason", "fitness", "checksum"})),
       sum_evaluation_(database,
                       "UPDATE evaluation SET checksum = ? "
                       "WHERE individual = ? AND season = ?"),

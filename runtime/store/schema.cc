@@ -184,7 +184,8 @@ constexpr const char* kPopulation = R"sql(CREATE VIEW population AS
   FROM member WHERE member.survivor IS NOT NULL)sql";
 
 // All there is to the state of the random numbers.
-constexpr const char* kNext = R"sql(CREATE VIEW next(random, seed, generation, id) AS
+constexpr const char* kNext =
+    R"sql(CREATE VIEW next(random, seed, generation, id) AS
   SELECT run.random, run.seed, (SELECT count(*) FROM generation),
     1 + ifnull((SELECT max(individual) FROM member WHERE generation =
       (SELECT max(number) FROM generation)), 0)

@@ -29,7 +29,7 @@ struct SchemaItem {
 const std::vector<SchemaItem>& Schema();
 
 /// Names of descriptors as columns, "branching, branching_modules_count, ...".
-std::vector<std::string> PhenotypeColumns();   ///< body, then brain
+std::vector<std::string> PhenotypeColumns();  ///< body, then brain
 std::vector<std::string> BehaviourColumns();
 
 }  // namespace plsc
