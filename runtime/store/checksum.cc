@@ -27,7 +27,7 @@ std::int64_t Of(const std::string& bytes) {
 std::string EvaluationSql() {
   return fmt::format(
       "SELECT season.name, evaluation.profile, evaluation.begin, "
-      "evaluation.inclination, sensed, felt, change, change_reason, "
+      "evaluation.inclination, sensed, sources, change, change_reason, "
       "evaluation.outcome, evaluation.reason, fitness, evaluation.phenotype, "
       "body, brain, {}, evaluation.simulation, simulation.begin, "
       "simulation.inclination, simulation.outcome, simulation.reason, "
@@ -44,7 +44,7 @@ std::string EvaluationSql() {
 Checksums::Checksums(Database& database)
     : run_(database,
            "SELECT id, name, seed, generations, evaluations, random, plsc, "
-           "ode, compiler, experiment, scenario FROM run"),
+           "ode, compiler, machine, experiment, scenario FROM run"),
       constants_(database,
                  "SELECT season.id, season.name, physics.name, value, unit "
                  "FROM season LEFT JOIN physics ON physics.season = season.id "

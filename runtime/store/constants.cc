@@ -29,9 +29,10 @@ void Collect(const YamlValue& value, const std::string& name,
     if (!value.is_quoted()) TakeNumber(constant);
     constants.push_back(std::move(constant));
   } else if (value.is_map()) {
-    for (const YamlMap::Entry& entry : value.Map("")->TakeAll())
+    std::optional<YamlMap> map = value.Map("constants");
+    for (const YamlMap::Entry& entry : map->TakeAll())
       Collect(entry.value, name + "." + entry.key, constants);
-  } else if (const auto items = value.List("")) {
+  } else if (const auto items = value.List("constants")) {
     for (std::size_t i = 0; i < items->size(); ++i)
       Collect((*items)[i], fmt::format("{}.{}", name, i), constants);
   }
@@ -56,8 +57,10 @@ std::vector<Constant> ConstantsOf(const Scenario& scenario,
     }
     const auto seasons = entry.value.List("seasons");
     assert(seasons && seasons->size() == 1);
-    for (const YamlMap::Entry& own : seasons->front().Map("season")->TakeAll())
-      if (own.key != "name") Collect(own.value, own.key, constants);
+    std::optional<YamlMap> own = seasons->front().Map("a season");
+    for (const YamlMap::Entry& constant : own->TakeAll())
+      if (constant.key != "name")
+        Collect(constant.value, constant.key, constants);
   }
   assert(file.diagnostics().empty());
   return constants;

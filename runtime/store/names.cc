@@ -1,6 +1,5 @@
 #include "runtime/store/names.h"
 
-#include <algorithm>
 #include <charconv>
 #include <nlohmann/json.hpp>
 
@@ -55,6 +54,10 @@ std::optional<MutationKind> MutationOf(std::string_view name) {
   return Named(name, MutationKind::kClause, MutationName);
 }
 
+std::optional<SenseSource> SourceOf(std::string_view name) {
+  return Named(name, SenseSource::kParent, SenseSourceName);
+}
+
 std::optional<std::uint64_t> WordOfHex(std::string_view digits) {
   constexpr std::size_t kDigits = 16;
   constexpr int kBase = 16;
@@ -81,24 +84,26 @@ std::string SensedText(const std::vector<SensedState>& sensed) {
   return Dump(json);
 }
 
-std::string FeltText(const std::vector<SensedState>& sensed) {
-  Json json = Json::array();
+std::string SourcesText(const std::vector<SensedState>& sensed) {
+  Json json = Json::object();
   for (const SensedState& state : sensed)
-    if (state.is_felt) json.push_back(state.name);
+    json[state.name] = SenseSourceName(state.from);
   return Dump(json);
 }
 
 std::optional<std::vector<SensedState>> SensedOf(const std::string& sensed,
-                                                 const std::string& felt) {
-  const Json json = Parse(sensed);
-  const auto own = TextsOf(felt);
-  if (!json.is_object() || !own) return std::nullopt;
+                                                 const std::string& sources) {
+  const Json values = Parse(sensed);
+  const Json by = Parse(sources);
+  if (!values.is_object() || !by.is_object()) return std::nullopt;
   std::vector<SensedState> states;
-  for (const auto& [name, value] : json.items()) {
-    if (!value.is_string()) return std::nullopt;
-    const bool is_felt =
-        std::find(own->begin(), own->end(), name) != own->end();
-    states.push_back({name, value.get<std::string>(), is_felt});
+  for (const auto& [name, value] : values.items()) {
+    const auto from = by.find(name);
+    if (!value.is_string() || from == by.end() || !from->is_string())
+      return std::nullopt;
+    const auto source = SourceOf(from->get<std::string>());
+    if (!source) return std::nullopt;
+    states.push_back({name, value.get<std::string>(), *source});
   }
   return states;
 }

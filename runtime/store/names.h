@@ -25,11 +25,13 @@ std::optional<Key> KeyOfHex(std::string_view digits);
 /// Of 16.
 std::optional<std::uint64_t> WordOfHex(std::string_view digits);
 
-/// {"inclined":"True","hot":"False"}, and which of them are felt: ["inclined"].
+std::optional<SenseSource> SourceOf(std::string_view name);
+
+/// {"inclined":"True","hot":"False"} and {"inclined":"imu","hot":"season"}.
 std::string SensedText(const std::vector<SensedState>& sensed);
-std::string FeltText(const std::vector<SensedState>& sensed);
+std::string SourcesText(const std::vector<SensedState>& sensed);
 std::optional<std::vector<SensedState>> SensedOf(const std::string& sensed,
-                                                 const std::string& felt);
+                                                 const std::string& sources);
 
 /// ["C","A1"].
 std::string HeadsText(const std::vector<SymbolId>& heads,

@@ -23,7 +23,7 @@ std::string SimulatedColumns() {
 std::string ResultsSql() {
   return fmt::format(
       "SELECT season.name, profile, evaluation.begin, evaluation.inclination, "
-      "sensed, felt, change, change_reason, evaluation.outcome, "
+      "sensed, sources, change, change_reason, evaluation.outcome, "
       "evaluation.reason, fitness, evaluation.phenotype IS NOT NULL, {}, "
       "evaluation.simulation IS NOT NULL, {} FROM evaluation "
       "JOIN season ON season.id = evaluation.season "

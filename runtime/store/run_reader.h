@@ -46,8 +46,6 @@ class RunReader {
   std::vector<int> EvaluatedSince(int id);  ///< ids from `id` on, ascending
 
  private:
-  SeasonResult TakeResult();
-  Simulated TakeSimulated();
   void Damaged(const std::string& what);
 
   Database& database_;

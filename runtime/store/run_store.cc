@@ -18,6 +18,7 @@
 #include "runtime/store/run_reader.h"
 #include "runtime/store/run_writer.h"
 #include "runtime/store/verify.h"
+#include "sim/machine_kind.h"
 
 namespace plsc {
 
@@ -45,6 +46,24 @@ Failure CheckAbsent(const std::string& path) {
         "cannot create '{}': {}", path,
         std::error_code(errno, std::generic_category()).message());
   return std::nullopt;
+}
+
+/// Results are a function of these too.
+Failure CheckVersions(const std::string& path, const Versions& versions) {
+  const Versions own = ThisProgram();
+  const auto differs = [&](const char* what, const std::string& then,
+                           const std::string& now) -> Failure {
+    if (then == now) return std::nullopt;
+    return fmt::format(
+        "'{}' was begun with {} {}, and this is {}: to go on would not give "
+        "the results of a run that was never interrupted",
+        path, what, then, now);
+  };
+  if (auto failure = differs("plsc", versions.plsc, own.plsc)) return failure;
+  if (auto failure = differs("ODE", versions.ode, own.ode)) return failure;
+  if (auto failure = differs("compiler", versions.compiler, own.compiler))
+    return failure;
+  return differs("machine", versions.machine, own.machine);
 }
 
 std::map<std::string, int> SeasonIds(const Experiment& experiment) {
@@ -92,7 +111,8 @@ Failure RunStore::Parts::Connect(Database::Mode mode) {
 }
 
 Failure RunStore::Parts::ReadRun() {
-  Statement run(database, "SELECT plsc, ode, compiler, experiment FROM run");
+  Statement run(database,
+                "SELECT plsc, ode, compiler, machine, experiment FROM run");
   if (!run.With().Next()) {
     if (Failure failure = database.TakeFailure()) return failure;
     return fmt::format("'{}' is damaged: it does not say what the run is",
@@ -101,6 +121,7 @@ Failure RunStore::Parts::ReadRun() {
   versions.plsc = run.TakeText();
   versions.ode = run.TakeText();
   versions.compiler = run.TakeText();
+  versions.machine = run.TakeText();
   Result<Experiment> read = ParseExperiment(Source(path, run.TakeText()));
   if (!read)
     return fmt::format("'{}' is damaged: its experiment cannot be read ({})",
@@ -140,12 +161,7 @@ Failure RunStore::Open(const std::string& path) {
   parts_ = std::make_unique<Parts>();
   parts_->path = path;
   if (!failure) failure = parts_->lock.Take(path);
-  if (!failure && versions != ThisProgram())
-    failure = fmt::format(
-        "'{}' was begun by plsc {}, ODE {}, compiler {}; this is plsc {}, ODE "
-        "{}, compiler {}, whose results may differ",
-        path, versions.plsc, versions.ode, versions.compiler,
-        ThisProgram().plsc, ThisProgram().ode, ThisProgram().compiler);
+  if (!failure) failure = CheckVersions(path, versions);
   if (!failure) failure = Examine(path).problem;
   if (!failure) failure = parts_->Connect(Database::Mode::kWrite);
   if (failure) parts_ = std::make_unique<Parts>();
@@ -271,10 +287,10 @@ Failure RunStore::BeginSession(const SessionStart& start) {
   const Versions versions = ThisProgram();
   Statement insert(database,
                    "INSERT INTO session(started, host, pid, plsc, ode, "
-                   "compiler, jobs) VALUES(?, ?, ?, ?, ?, ?, ?)");
+                   "compiler, machine, jobs) VALUES(?, ?, ?, ?, ?, ?, ?, ?)");
   insert
       .With(start.started, HostName(), getpid(), versions.plsc, versions.ode,
-            versions.compiler, start.jobs)
+            versions.compiler, versions.machine, start.jobs)
       .Run();
   Statement row(database, "SELECT last_insert_rowid()");
   if (row.With().Next()) parts_->session = row.TakeInteger();
@@ -323,7 +339,8 @@ Failure RunStore::Add(const Key&, const Simulated&) {
 }
 
 Versions ThisProgram() {
-  return {PLSC_VERSION, PLSC_ODE_VERSION, __VERSION__};
+  static const std::string machine = MachineKind();  // takes a millisecond
+  return {PLSC_VERSION, PLSC_ODE_VERSION, __VERSION__, machine};
 }
 
 }  // namespace plsc

@@ -144,7 +144,7 @@ RunWriter::RunWriter(Database& database, RunReader& reader,
           database,
           Insert("evaluation", {"individual", "season", "phenotype",
                                 "simulation", "profile", "begin", "inclination",
-                                "sensed", "felt", "change", "change_reason",
+                                "sensed", "sources", "change", "change_reason",
                                 "outcome", "reason", "fitness", "checksum"})),
       sum_evaluation_(database,
                       "UPDATE evaluation SET checksum = ? "
@@ -241,7 +241,7 @@ void RunWriter::AddSeason(int individual, const SeasonResult& result,
             HexOf(evidence.phenotype, has_phenotype),
             HexOf(evidence.simulation, has_simulation),
             ProfileName(result.profile), result.begin, result.inclination,
-            SensedText(result.sensed), FeltText(result.sensed),
+            SensedText(result.sensed), SourcesText(result.sensed),
             ChangeName(result.change), result.change_reason,
             OutcomeName(result.outcome), result.reason, result.fitness, 0)
       .Run();

@@ -40,6 +40,7 @@ constexpr const char* kRun = R"sql(CREATE TABLE run(
   plsc TEXT NOT NULL,  -- versions
   ode TEXT NOT NULL,
   compiler TEXT NOT NULL,
+  machine TEXT NOT NULL,  -- its kind: of the same kind, the same bits
   experiment TEXT NOT NULL,  -- YAML, every value
   scenario TEXT NOT NULL,  -- YAML, every value
   checksum INTEGER NOT NULL))sql";
@@ -111,7 +112,7 @@ constexpr const char* kEvaluation = R"sql(CREATE TABLE evaluation(
   begin REAL NOT NULL,  -- s since birth
   inclination REAL,  -- rad, if the IMU was asked
   sensed TEXT NOT NULL,  -- JSON: state to value
-  felt TEXT NOT NULL,  -- JSON: states that the robot felt itself
+  sources TEXT NOT NULL,  -- JSON: state to who told it, 'season' or 'imu'
   change TEXT NOT NULL,  -- 'born', 'none', 'brain', 'body'
   change_reason TEXT NOT NULL,
   outcome TEXT NOT NULL,
@@ -143,6 +144,7 @@ constexpr const char* kSession = R"sql(CREATE TABLE session(
   plsc TEXT NOT NULL,
   ode TEXT NOT NULL,
   compiler TEXT NOT NULL,
+  machine TEXT NOT NULL,
   jobs INTEGER NOT NULL,  -- asked for
   workers INTEGER,
   evaluations INTEGER,
@@ -168,7 +170,7 @@ constexpr const char* kResult = R"sql(CREATE VIEW result AS
   SELECT evaluation.individual AS id, individual.generation,
     season.name AS season, evaluation.fitness, evaluation.outcome,
     evaluation.reason, evaluation.begin, evaluation.inclination,
-    evaluation.sensed, evaluation.felt, evaluation.change,
+    evaluation.sensed, evaluation.sources, evaluation.change,
     evaluation.change_reason{}{}, simulation.steps,
     simulation.solver_warnings, simulation.state_hash,
     evaluation.phenotype, evaluation.simulation
