@@ -2,91 +2,68 @@
 
 #include <fmt/format.h>
 #include <poll.h>
-#include <signal.h>
-#include <sys/prctl.h>
 #include <sys/socket.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cassert>
 #include <cerrno>
-#include <cstdint>
-#include <cstring>
-#include <exception>
+#include <chrono>
 #include <system_error>
-#include <utility>
 
 namespace plsc {
 
 namespace {
 
-// A frame: the number of bytes in 8 bytes, then the bytes. Both ends are the
-// same program on the same machine, so its byte order is right.
-constexpr std::size_t kHeader = sizeof(std::uint64_t);
-
 // One that kills a worker may have been unlucky (out of memory); one that
 // kills two is to blame.
 constexpr int kMaxDeaths = 2;
 
-std::string Frame(const std::string& text) {
-  const std::uint64_t size = text.size();
-  std::string frame(kHeader, '\0');
-  std::memcpy(frame.data(), &size, kHeader);
-  return frame + text;
+// The most that one wait counts, whatever the clock says: the rest is a time
+// in which we were stopped or the machine slept.
+constexpr double kLongestWait = 1;  // s
+constexpr int kLongestPoll = 1000;  // ms, the same
+
+// Parts of the limit after which a worker is looked at, so that it is kept to
+// a quarter, and the longest time between looks.
+constexpr double kLooks = 4;
+constexpr double kLongestLook = 1;  // s
+
+double Now() {
+  const auto now = std::chrono::steady_clock::now().time_since_epoch();
+  return std::chrono::duration<double>(now).count();
 }
 
-/// The text of a complete frame; nothing while bytes are missing.
-std::optional<std::string> Unframe(const std::string& received) {
-  if (received.size() < kHeader) return std::nullopt;
-  std::uint64_t size = 0;
-  std::memcpy(&size, received.data(), kHeader);
-  if (received.size() - kHeader < size) return std::nullopt;
-  return received.substr(kHeader, size);
-}
-
-bool SendAll(int socket, const std::string& bytes) {
-  std::size_t sent = 0;
+/// What the socket takes now; false if nobody reads at the other end.
+bool SendSome(int socket, const std::string& bytes, std::size_t& sent) {
   while (sent < bytes.size()) {
     // Without MSG_NOSIGNAL a dead receiver would end this process too.
-    const ssize_t count =
-        send(socket, bytes.data() + sent, bytes.size() - sent, MSG_NOSIGNAL);
+    const ssize_t count = send(socket, bytes.data() + sent, bytes.size() - sent,
+                               MSG_NOSIGNAL | MSG_DONTWAIT);
     if (count < 0 && errno == EINTR) continue;
-    if (count <= 0) return false;
+    if (count < 0) return errno == EAGAIN || errno == EWOULDBLOCK;
     sent += static_cast<std::size_t>(count);
   }
   return true;
 }
 
-/// Appends what is there, waiting for it unless `flags` say otherwise; false
-/// at the end of the stream.
-bool ReceiveSome(int socket, int flags, std::string& received) {
+/// What has come; false at the end of the stream.
+bool ReceiveAll(int socket, FrameReader& reader) {
   char buffer[1 << 16];
   while (true) {
-    const ssize_t count = recv(socket, buffer, sizeof(buffer), flags);
+    const ssize_t count = recv(socket, buffer, sizeof buffer, MSG_DONTWAIT);
     if (count < 0 && errno == EINTR) continue;
-    if (count < 0 && (errno == EAGAIN || errno == EWOULDBLOCK)) return true;
-    if (count <= 0) return false;
-    received.append(buffer, static_cast<std::size_t>(count));
-    return true;
+    if (count < 0) return errno == EAGAIN || errno == EWOULDBLOCK;
+    if (count == 0) return false;
+    reader.Append({buffer, static_cast<std::size_t>(count)});
+    if (reader.is_broken()) return true;
   }
-}
-
-std::string DescribeEnd(int status) {
-  if (WIFSIGNALED(status)) return fmt::format("signal {}", WTERMSIG(status));
-  return fmt::format("exit status {}", WEXITSTATUS(status));
-}
-
-std::string LastError(const char* what) {
-  return fmt::format("{}: {}", what,
-                     std::error_code(errno, std::generic_category()).message());
 }
 
 }  // namespace
 
 WorkerPool::WorkerPool(const WorkerPoolOptions& options, Work work)
-    : work_(std::move(work)) {
-  assert(options.workers >= 1);
+    : options_(options), work_(std::move(work)) {
+  assert(options.workers >= 1 && options.hang_seconds >= 0);
   for (int i = 0; i < options.workers; ++i)
     if (std::optional<Worker> worker = Start())
       workers_.push_back(std::move(*worker));
@@ -95,63 +72,20 @@ WorkerPool::WorkerPool(const WorkerPoolOptions& options, Work work)
 }
 
 WorkerPool::~WorkerPool() {
-  for (const Worker& worker : workers_) {
-    close(worker.socket);
-    kill(worker.pid, SIGKILL);
-  }
-  for (const Worker& worker : workers_)
-    while (waitpid(worker.pid, nullptr, 0) < 0 && errno == EINTR) {
-    }
+  for (const Worker& worker : workers_) EndWorker(worker.process);
 }
 
 std::optional<WorkerPool::Worker> WorkerPool::Start() {
-  int ends[2];
-  if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) {
-    failure_ = LastError("cannot connect to a worker");
-    return std::nullopt;
-  }
-  const pid_t parent = getpid();
-  const pid_t pid = fork();
-  if (pid == 0) {
-    // The other workers' sockets, too: while anybody holds a copy, nobody
-    // would see that the owner is gone.
-    close(ends[0]);
-    for (const Worker& other : workers_) close(other.socket);
-    Serve(ends[1], parent);
-  }
-  close(ends[1]);
-  if (pid < 0) {
-    failure_ = LastError("cannot start a worker");
-    close(ends[0]);
+  const std::optional<WorkerProcess> process = StartWorker(work_);
+  if (!process) {
+    failure_ =
+        fmt::format("cannot start a worker: {}",
+                    std::error_code(errno, std::generic_category()).message());
     return std::nullopt;
   }
   Worker worker;
-  worker.pid = pid;
-  worker.socket = ends[0];
+  worker.process = *process;
   return worker;
-}
-
-void WorkerPool::Serve(int socket, pid_t parent) const {
-  // Die with the parent, however it dies; it may have done so already.
-  prctl(PR_SET_PDEATHSIG, SIGKILL);
-  if (getppid() != parent) _exit(1);
-  // Ctrl-C reaches the whole group; when to stop is the parent's decision.
-  signal(SIGINT, SIG_IGN);
-  signal(SIGTERM, SIG_DFL);  // the parent may have a handler for it
-  std::string received;
-  while (true) {
-    if (const std::optional<std::string> request = Unframe(received)) {
-      received.clear();  // the next request only comes after the answer
-      try {
-        if (!SendAll(socket, Frame(work_(*request)))) _exit(1);
-      } catch (const std::exception&) {
-        _exit(2);
-      }
-    } else if (!ReceiveSome(socket, 0, received)) {
-      // _exit, because atexit handlers and unwritten streams are the parent's.
-      _exit(0);
-    }
-  }
 }
 
 int WorkerPool::busy() const {
@@ -175,62 +109,104 @@ void WorkerPool::HandOut() {
     if (worker.request) continue;
     worker.request = std::move(waiting_.front());
     waiting_.pop_front();
+    worker.unsent = Frame(worker.request->text);
+    worker.sent = 0;
+    worker.unwatched = 0;
+    if (options_.hang_seconds > 0)
+      worker.watch = WorkerWatch(ReadVitals(worker.process.pid));
     // If it is dead, Wait finds its socket closed and starts another one.
-    SendAll(worker.socket, Frame(worker.request->text));
+    SendSome(worker.process.socket, worker.unsent, worker.sent);
   }
 }
 
 std::vector<Reply> WorkerPool::Wait(int timeout_ms) {
   HandOut();
-  std::vector<pollfd> polled;
-  for (const Worker& worker : workers_)
-    polled.push_back({worker.socket, POLLIN, 0});
   std::vector<Reply> replies;
   if (outstanding() == 0 || failure_) return replies;
-  if (poll(polled.data(), polled.size(), timeout_ms) <= 0) return replies;
-  for (std::size_t i = 0; i < polled.size(); ++i) {
-    if (polled[i].revents == 0) continue;
-    if (std::optional<Reply> reply = Receive(workers_[i]))
-      replies.push_back(std::move(*reply));
+  const double begin = Now();
+  std::vector<short> events;
+  const bool has_events = Poll(timeout_ms, events);
+  const double waited = std::min(Now() - begin, kLongestWait);
+  for (std::size_t i = 0; i < workers_.size(); ++i) {
+    std::optional<Reply> reply;
+    if (has_events && events[i] != 0)
+      reply = Attend(workers_[i], events[i]);
+    else if (Hangs(workers_[i], waited))
+      reply = Bury(workers_[i],
+                   fmt::format("no answer for {:g} s", options_.hang_seconds));
+    if (reply) replies.push_back(std::move(*reply));
   }
   // Those that could not be replaced.
-  std::erase_if(workers_, [](const Worker& worker) { return worker.pid == 0; });
+  std::erase_if(workers_,
+                [](const Worker& worker) { return worker.process.pid == 0; });
   if (!workers_.empty()) failure_.reset();
   HandOut();
   return replies;
 }
 
-std::optional<Reply> WorkerPool::Receive(Worker& worker) {
-  if (!ReceiveSome(worker.socket, MSG_DONTWAIT, worker.received))
-    return Bury(worker);
-  std::optional<std::string> answer = Unframe(worker.received);
-  if (!answer) return std::nullopt;
-  assert(worker.request);
+/// Whether anything happened at a worker's socket, and what.
+bool WorkerPool::Poll(int timeout_ms, std::vector<short>& events) {
+  std::vector<pollfd> polled;
+  for (const Worker& worker : workers_) {
+    const bool is_sent = worker.sent == worker.unsent.size();
+    const int wanted = is_sent ? POLLIN : POLLIN | POLLOUT;
+    polled.push_back({worker.process.socket, static_cast<short>(wanted), 0});
+  }
+  if (poll(polled.data(), polled.size(), std::min(timeout_ms, kLongestPoll)) <=
+      0)
+    return false;
+  for (const pollfd& one : polled) events.push_back(one.revents);
+  return true;
+}
+
+std::optional<Reply> WorkerPool::Attend(Worker& worker, short events) {
+  const int socket = worker.process.socket;
+  if ((events & POLLOUT) != 0) SendSome(socket, worker.unsent, worker.sent);
+  if ((events & ~POLLOUT) == 0) return std::nullopt;
+  const bool is_open = ReceiveAll(socket, worker.reader);
+  if (std::optional<std::string> answer = worker.reader.Take();
+      answer && worker.request)
+    return TakeReply(worker, std::move(*answer));
+  // Also one that answers without being asked.
+  if (worker.reader.is_broken() || !worker.request)
+    return Bury(worker, is_open ? "an answer that is none" : "");
+  return is_open ? std::nullopt : Bury(worker, "");
+}
+
+Reply WorkerPool::TakeReply(Worker& worker, std::string answer) {
   Reply reply;
   reply.ticket = worker.request->ticket;
   reply.answer = std::move(answer);
   worker.request.reset();
-  worker.received.clear();
+  worker.unsent.clear();
+  worker.sent = 0;
   return reply;
 }
 
-// Replaces a worker that died. What it worked on is begun again, once.
-std::optional<Reply> WorkerPool::Bury(Worker& worker) {
-  int status = 0;
-  close(worker.socket);
-  // It closed its socket, so it is ending; make sure of it before waiting.
-  kill(worker.pid, SIGKILL);
-  while (waitpid(worker.pid, &status, 0) < 0 && errno == EINTR) {
-  }
+/// Looks at a worker now and then only, as that reads a file of the system.
+bool WorkerPool::Hangs(Worker& worker, double waited) const {
+  if (options_.hang_seconds <= 0 || !worker.request) return false;
+  worker.unwatched += waited;
+  const double pause = std::min(kLongestLook, options_.hang_seconds / kLooks);
+  if (worker.unwatched < pause) return false;
+  worker.watch.Add(worker.unwatched, ReadVitals(worker.process.pid));
+  worker.unwatched = 0;
+  return worker.watch.own_seconds() >= options_.hang_seconds;
+}
+
+/// Replaces a worker that died, or that must for `cause`. What it worked on is
+/// begun again, once.
+std::optional<Reply> WorkerPool::Bury(Worker& worker,
+                                      const std::string& cause) {
+  const std::string end = EndWorker(worker.process);
   std::optional<Reply> reply;
   if (worker.request && ++worker.request->deaths >= kMaxDeaths)
-    reply = Reply{worker.request->ticket, std::nullopt, DescribeEnd(status)};
+    reply = Reply{worker.request->ticket, std::nullopt,
+                  cause.empty() ? end : cause};
   else if (worker.request)
     waiting_.push_front(std::move(*worker.request));
-  // Not to be closed by its successor.
   worker = {};
-  std::optional<Worker> successor = Start();
-  if (successor) worker = std::move(*successor);
+  if (std::optional<Worker> successor = Start()) worker = std::move(*successor);
   return reply;
 }
 

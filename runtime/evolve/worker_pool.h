@@ -2,23 +2,26 @@
 
 // Workers that are processes of this machine. Processes and not threads,
 // because a robot that crashes the physics must not end the run:
-// docs/decisions/0002-workers-are-processes.md. One that dies or hangs is
-// replaced and its request begun again, once.
-
-#include <sys/types.h>
+// docs/decisions/0002-workers-are-processes.md. One that dies, hangs or answers
+// what is no frame is replaced and its request begun again, once.
 
 #include <deque>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "runtime/evolve/worker_frame.h"
+#include "runtime/evolve/worker_process.h"
+#include "runtime/evolve/worker_watch.h"
 #include "runtime/evolve/workers.h"
 
 namespace plsc {
 
 struct WorkerPoolOptions {
   int workers = 1;
-  /// s without an answer after which a worker is taken to hang; 0: no limit.
+  /// s that a worker may have for one request before it is taken to hang; 0: no
+  /// limit. Its own time, not the clock's: see worker_watch.h.
   double hang_seconds = 0;
 };
 
@@ -52,18 +55,24 @@ class WorkerPool : public Workers {
     int deaths = 0;  // of workers that had it
   };
   struct Worker {
-    pid_t pid = 0;
-    int socket = -1;
+    WorkerProcess process;
     std::optional<Request> request;  // what it works on
-    std::string received;            // of the frame of its answer
+    std::string unsent;              // the frame of the request
+    std::size_t sent = 0;            // bytes of it
+    FrameReader reader;              // of the answer
+    WorkerWatch watch;
+    double unwatched = 0;  // s waited since the last look at it
   };
 
   std::optional<Worker> Start();
-  [[noreturn]] void Serve(int socket, pid_t parent) const;
   void HandOut();
-  std::optional<Reply> Receive(Worker& worker);
-  std::optional<Reply> Bury(Worker& worker);
+  bool Poll(int timeout_ms, std::vector<short>& events);
+  std::optional<Reply> Attend(Worker& worker, short events);
+  bool Hangs(Worker& worker, double waited) const;
+  Reply TakeReply(Worker& worker, std::string answer);
+  std::optional<Reply> Bury(Worker& worker, const std::string& cause);
 
+  WorkerPoolOptions options_;
   Work work_;
   std::vector<Worker> workers_;
   std::deque<Request> waiting_;

@@ -35,9 +35,9 @@ Individual HavingLived(Genotype genotype, const std::string& first,
   Individual one;
   one.genotype = std::move(genotype);
   SeasonResult flat;
-  flat.sensed = {{"inclined", first}};
+  flat.sensed = {{"inclined", first, SenseSource::kImu}};
   SeasonResult tilted;
-  tilted.sensed = {{"inclined", last}};
+  tilted.sensed = {{"inclined", last, SenseSource::kImu}};
   one.evaluation.seasons = {flat, tilted};
   return one;
 }
