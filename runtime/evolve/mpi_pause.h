@@ -18,7 +18,7 @@ class MpiPause {
 
  private:
   // A request waits that long at the most, twice on its way; simulations take
-  // a second. An idle rank looks a hundred times a second, which costs 0.1 %
+  // a second. An idle rank looks a hundred times a second, which costs 0.4 %
   // of a core.
   static constexpr int kLongest = 10;  // ms
   static constexpr int kShortest = 1;
