@@ -1,7 +1,9 @@
 #include "runtime/descriptors.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <set>
 #include <utility>
@@ -178,6 +180,84 @@ double SynapticReception(const Brain& brain) {
   return Median(balances);
 }
 
+// Each field under its name, of const structs and others: one list for both
+// directions.
+template <typename Descriptors, typename Visit>
+void VisitBody(Descriptors& d, const Visit& visit) {
+  visit("branching", d.branching);
+  visit("branching_modules_count", d.branching_modules_count);
+  visit("limbs", d.limbs);
+  visit("extremities", d.extremities);
+  visit("length_of_limbs", d.length_of_limbs);
+  visit("extensiveness", d.extensiveness);
+  visit("coverage", d.coverage);
+  visit("joints", d.joints);
+  visit("hinge_count", d.hinge_count);
+  visit("active_hinges_count", d.active_hinges_count);
+  visit("brick_count", d.brick_count);
+  visit("touch_sensor_count", d.touch_sensor_count);
+  visit("brick_sensor_count", d.brick_sensor_count);
+  visit("proportion", d.proportion);
+  visit("width", d.width);
+  visit("height", d.height);
+  visit("absolute_size", d.absolute_size);
+  visit("sensors", d.sensors);
+  visit("symmetry", d.symmetry);
+  visit("free_slots", d.free_slots);
+}
+
+template <typename Descriptors, typename Visit>
+void VisitBrain(Descriptors& d, const Visit& visit) {
+  visit("avg_period", d.avg_period);
+  visit("dev_period", d.dev_period);
+  visit("avg_phase_offset", d.avg_phase_offset);
+  visit("dev_phase_offset", d.dev_phase_offset);
+  visit("avg_amplitude", d.avg_amplitude);
+  visit("dev_amplitude", d.dev_amplitude);
+  visit("avg_intra_dev_params", d.avg_intra_dev_params);
+  visit("avg_inter_dev_params", d.avg_inter_dev_params);
+  visit("sensors_reach", d.sensors_reach);
+  visit("recurrence", d.recurrence);
+  visit("synaptic_reception", d.synaptic_reception);
+}
+
+template <typename Descriptors, typename Visit>
+void VisitBehaviour(Descriptors& b, const Visit& visit) {
+  visit("velocity", b.velocity);
+  visit("displacement_velocity", b.displacement_velocity);
+  visit("displacement_velocity_hill", b.displacement_velocity_hill);
+  visit("head_balance", b.head_balance);
+  visit("contacts", b.contacts);
+}
+
+/// Adds what it visits to a list.
+struct Lister {
+  std::vector<NamedValue>& values;
+
+  void operator()(std::string_view name, double value) const {
+    values.push_back({name, value, false});
+  }
+  void operator()(std::string_view name, int value) const {
+    values.push_back({name, static_cast<double>(value), true});
+  }
+};
+
+/// Sets what it visits from a list, in its order.
+struct Setter {
+  const std::vector<double>& values;
+  std::size_t& next;
+
+  void operator()(std::string_view, double& value) const {
+    value = values[next++];
+  }
+  void operator()(std::string_view, int& value) const {
+    // Values of a damaged file may be anything.
+    constexpr double kMost = std::numeric_limits<int>::max();
+    const double number = values[next++];
+    value = number >= -kMost && number <= kMost ? static_cast<int>(number) : 0;
+  }
+};
+
 }  // namespace
 
 BodyDescriptors DescribeBody(const Body& body) {
@@ -237,52 +317,47 @@ BrainDescriptors DescribeBrain(const Phenotype& phenotype) {
   return d;
 }
 
-std::vector<NamedValue> List(const BodyDescriptors& d) {
-  const auto count = [](std::string_view name, int value) {
-    return NamedValue{name, static_cast<double>(value), true};
-  };
-  return {{"branching", d.branching},
-          count("branching_modules_count", d.branching_modules_count),
-          {"limbs", d.limbs},
-          count("extremities", d.extremities),
-          {"length_of_limbs", d.length_of_limbs},
-          count("extensiveness", d.extensiveness),
-          {"coverage", d.coverage},
-          {"joints", d.joints},
-          count("hinge_count", d.hinge_count),
-          count("active_hinges_count", d.active_hinges_count),
-          count("brick_count", d.brick_count),
-          count("touch_sensor_count", d.touch_sensor_count),
-          count("brick_sensor_count", d.brick_sensor_count),
-          {"proportion", d.proportion},
-          count("width", d.width),
-          count("height", d.height),
-          count("absolute_size", d.absolute_size),
-          {"sensors", d.sensors},
-          {"symmetry", d.symmetry},
-          {"free_slots", d.free_slots}};
+std::vector<NamedValue> List(const BodyDescriptors& descriptors) {
+  std::vector<NamedValue> values;
+  VisitBody(descriptors, Lister{values});
+  return values;
 }
 
-std::vector<NamedValue> List(const BrainDescriptors& d) {
-  return {{"avg_period", d.avg_period},
-          {"dev_period", d.dev_period},
-          {"avg_phase_offset", d.avg_phase_offset},
-          {"dev_phase_offset", d.dev_phase_offset},
-          {"avg_amplitude", d.avg_amplitude},
-          {"dev_amplitude", d.dev_amplitude},
-          {"avg_intra_dev_params", d.avg_intra_dev_params},
-          {"avg_inter_dev_params", d.avg_inter_dev_params},
-          {"sensors_reach", d.sensors_reach},
-          {"recurrence", d.recurrence},
-          {"synaptic_reception", d.synaptic_reception}};
+std::vector<NamedValue> List(const BrainDescriptors& descriptors) {
+  std::vector<NamedValue> values;
+  VisitBrain(descriptors, Lister{values});
+  return values;
 }
 
-std::vector<NamedValue> List(const Behaviour& b) {
-  return {{"velocity", b.velocity},
-          {"displacement_velocity", b.displacement_velocity},
-          {"displacement_velocity_hill", b.displacement_velocity_hill},
-          {"head_balance", b.head_balance},
-          {"contacts", b.contacts}};
+std::vector<NamedValue> List(const Behaviour& behaviour) {
+  std::vector<NamedValue> values;
+  VisitBehaviour(behaviour, Lister{values});
+  return values;
+}
+
+BodyDescriptors BodyDescriptorsOf(const std::vector<double>& values) {
+  BodyDescriptors descriptors;
+  std::size_t next = 0;
+  VisitBody(descriptors, Setter{values, next});
+  assert(next == values.size());
+  return descriptors;
+}
+
+BrainDescriptors BrainDescriptorsOf(const std::vector<double>& values) {
+  BrainDescriptors descriptors;
+  std::size_t next = 0;
+  VisitBrain(descriptors, Setter{values, next});
+  assert(next == values.size());
+  return descriptors;
+}
+
+Behaviour BehaviourOf(const std::vector<double>& values) {
+  Behaviour behaviour;
+  std::size_t next = 0;
+  VisitBehaviour(behaviour, Setter{values, next});
+  behaviour.is_valid = true;
+  assert(next == values.size());
+  return behaviour;
 }
 
 }  // namespace plsc

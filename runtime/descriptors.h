@@ -88,4 +88,10 @@ std::vector<NamedValue> List(const BrainDescriptors& descriptors);
 /// The behavioural ones of sim/measures.h, all 0 where they are not valid.
 std::vector<NamedValue> List(const Behaviour& behaviour);
 
+/// The reverse, of the values of List, all of them in its order. A behaviour is
+/// valid then.
+BodyDescriptors BodyDescriptorsOf(const std::vector<double>& values);
+BrainDescriptors BrainDescriptorsOf(const std::vector<double>& values);
+Behaviour BehaviourOf(const std::vector<double>& values);
+
 }  // namespace plsc

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "runtime/evolve/crossover.h"
+#include "runtime/evolve/inherit.h"
 #include "runtime/evolve/select.h"
 
 namespace plsc {
@@ -58,20 +59,25 @@ Individual CreateChild(const Experiment& experiment, int generation, int id,
   child.id = id;
   child.generation = generation;
   child.heritage.parents = {first.id, second.id};
-  child.genotype = first.genotype;
+  if (experiment.inheritance == Inheritance::kSenses)
+    child.heritage.senses = LastSenses(first);
+  child.genotype = HandedDown(first, experiment);
   rng = stream(Purpose::kCrossover);
   if (rng.Bernoulli(experiment.crossover)) {
-    const Alphabet& alphabet = *first.genotype.alphabet;
+    const Alphabet& alphabet = *child.genotype.alphabet;
     const std::vector<bool> choices = DrawCrossover(alphabet, rng);
     child.heritage.from_second = HeadsFromSecond(alphabet, choices);
-    child.genotype = Cross(first.genotype, second.genotype, choices);
+    child.genotype =
+        Cross(child.genotype, HandedDown(second, experiment), choices);
   }
   rng = stream(Purpose::kMutate);
   if (rng.Bernoulli(experiment.mutation)) {
     const Mutation mutation =
-        DrawMutation(child.genotype, experiment.genotype.encoding, rng);
+        DrawMutation(child.genotype, experiment.genotype.encoding, rng,
+                     experiment.variation);
     child.heritage.mutation = mutation;
-    child.genotype = Mutate(std::move(child.genotype), mutation, rng);
+    child.genotype =
+        Mutate(std::move(child.genotype), mutation, rng, experiment.variation);
   }
   child.genotype.name = NameOf(experiment, id);
   return child;

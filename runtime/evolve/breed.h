@@ -15,7 +15,8 @@ namespace plsc {
 Individual CreateFirst(const Experiment& experiment, int id);
 
 /// Two different parents by tournaments on `scores` (one a member of
-/// `population`, at least two members), one child, not evaluated.
+/// `population`, at least two members), one child, not evaluated. How parents
+/// were evaluated matters where the experiment inherits more than genotypes.
 Individual CreateChild(const Experiment& experiment, int generation, int id,
                        const std::vector<Individual>& population,
                        const std::vector<int>& scores);

@@ -29,6 +29,25 @@ const std::vector<std::string>& EncodingNames() {
   return names;
 }
 
+const std::vector<std::string>& InheritanceNames() {
+  static const std::vector<std::string> names = {"genotype", "joined",
+                                                 "senses"};
+  return names;
+}
+
+const std::vector<std::string>& InsertionNames() {
+  static const std::vector<std::string> names = {"anywhere", "before_end"};
+  return names;
+}
+
+const std::vector<std::string>& RemovalNames() {
+  static const std::vector<std::string> names = {"by_position", "by_value"};
+  return names;
+}
+
+/// The limit that max_initial_terms has where it says no number.
+constexpr std::string_view kAsMaxTerms = "max_terms";
+
 /// A word that can stand in a genotype file.
 std::optional<std::string> ReadName(const YamlValue& value,
                                     std::string_view what) {
@@ -126,6 +145,31 @@ std::vector<State> ReadStates(const YamlValue& value) {
   return states;
 }
 
+/// A number, or the word max_terms. Needs max_terms.
+void ReadInitialTerms(YamlMap& map, GenotypeOptions& options) {
+  if (const auto most = map.Find("max_initial_terms"))
+    if (!most->is_scalar() || most->text() != kAsMaxTerms)
+      if (const auto number = most->Integer(0, options.max_terms))
+        options.max_initial_terms = static_cast<int>(*number);
+  options.min_initial_terms =
+      map.Int("min_initial_terms", options.min_initial_terms, 0,
+              options.max_initial_terms.value_or(options.max_terms));
+}
+
+void ReadVariation(YamlMap& map, Experiment& experiment) {
+  MutationOptions& options = experiment.variation;
+  options.clause_share =
+      map.Number("clause_mutation", options.clause_share, kProbability);
+  options.insertion = static_cast<Insertion>(
+      map.Choice("insertion", static_cast<std::size_t>(options.insertion),
+                 InsertionNames()));
+  options.removal = static_cast<Removal>(map.Choice(
+      "removal", static_cast<std::size_t>(options.removal), RemovalNames()));
+  experiment.inheritance = static_cast<Inheritance>(map.Choice(
+      "inheritance", static_cast<std::size_t>(experiment.inheritance),
+      InheritanceNames()));
+}
+
 GenotypeOptions ReadGenotype(YamlMap& map) {
   GenotypeOptions options;
   options.encoding = static_cast<Encoding>(map.Choice(
@@ -137,12 +181,15 @@ GenotypeOptions ReadGenotype(YamlMap& map) {
       map.Int("max_modules", development.max_modules, kMinModules, kMaxModules);
   development.move_to_new = map.Bool("move_to_new", development.move_to_new);
   options.max_groups = map.Int("max_groups", options.max_groups, 1, kMaxGroups);
+  options.min_groups =
+      map.Int("min_groups", options.min_groups, 1, options.max_groups);
   options.groups_per_rule =
       map.Bool("groups_per_rule", options.groups_per_rule);
   options.max_rules =
       map.Int("max_rules", options.max_rules, kMinLimit, kMaxLimit);
   options.max_terms =
       map.Int("max_terms", options.max_terms, kMinLimit, kMaxLimit);
+  ReadInitialTerms(map, options);
   if (const auto states = map.Find("states")) {
     options.states = ReadStates(*states);
     if (options.states.empty() && options.encoding == Encoding::kPlasticoding)
@@ -197,6 +244,7 @@ Experiment ReadExperiment(YamlMap& map) {
       map.Number("crossover", experiment.crossover, kProbability);
   experiment.tournament =
       map.Int("tournament", experiment.tournament, 1, kMaxTournament);
+  ReadVariation(map, experiment);
   experiment.genotype = ReadGenotype(map);
   ReadScenarioOf(map, experiment);
   CheckTogether(map, experiment);
@@ -221,6 +269,21 @@ std::string PrintState(const State& state) {
   return "";
 }
 
+std::string PrintVariation(const Experiment& experiment) {
+  const MutationOptions& options = experiment.variation;
+  const auto name = [](const std::vector<std::string>& names, auto value) {
+    return names[static_cast<std::size_t>(value)];
+  };
+  std::string text;
+  text += fmt::format("clause_mutation: {}\n", options.clause_share);
+  text +=
+      fmt::format("insertion: {}\n", name(InsertionNames(), options.insertion));
+  text += fmt::format("removal: {}\n", name(RemovalNames(), options.removal));
+  text += fmt::format("inheritance: {}\n",
+                      name(InheritanceNames(), experiment.inheritance));
+  return text;
+}
+
 std::string PrintGenotypeOptions(const GenotypeOptions& options) {
   std::vector<std::string> states;
   for (const State& state : options.states) states.push_back(PrintState(state));
@@ -233,10 +296,16 @@ std::string PrintGenotypeOptions(const GenotypeOptions& options) {
   text += fmt::format("iterations: {}\n", development.iterations);
   text += fmt::format("max_modules: {}\n", development.max_modules);
   text += fmt::format("move_to_new: {}\n", word(development.move_to_new));
+  text += fmt::format("min_groups: {}\n", options.min_groups);
   text += fmt::format("max_groups: {}\n", options.max_groups);
   text += fmt::format("groups_per_rule: {}\n", word(options.groups_per_rule));
   text += fmt::format("max_rules: {}\n", options.max_rules);
   text += fmt::format("max_terms: {}\n", options.max_terms);
+  text += fmt::format("min_initial_terms: {}\n", options.min_initial_terms);
+  text += fmt::format("max_initial_terms: {}\n",
+                      options.max_initial_terms
+                          ? std::to_string(*options.max_initial_terms)
+                          : std::string(kAsMaxTerms));
   text += fmt::format("states: [{}]\n", fmt::join(states, ", "));
   return text;
 }
@@ -264,6 +333,7 @@ std::string PrintExperiment(const Experiment& experiment) {
   text += fmt::format("mutation: {}\n", experiment.mutation);
   text += fmt::format("crossover: {}\n", experiment.crossover);
   text += fmt::format("tournament: {}\n", experiment.tournament);
+  text += PrintVariation(experiment);
   text += PrintGenotypeOptions(experiment.genotype);
   text += "scenario:\n" + PrintScenarioKeys(experiment.scenario, 2);
   return text;

@@ -9,9 +9,21 @@
 
 #include "grammar/result.h"
 #include "runtime/evolve/initialise.h"
+#include "runtime/evolve/mutate.h"
 #include "runtime/scenario_profile.h"
 
 namespace plsc {
+
+/// What children get of a parent.
+enum class Inheritance : std::uint8_t {
+  kGenotype,  ///< its rules as they are written
+  /// Its rules as the last season of its life joined them, and never apart
+  /// again: what the authors' program did unawares (decision 1).
+  kJoined,
+  /// kGenotype, and what the first parent sensed in its last season regulates
+  /// the child in its first one: inherited regulation, the paper's future work.
+  kSenses,
+};
 
 /// Defaults are the paper's (Table 2 and "Evolution").
 struct Experiment {
@@ -24,6 +36,8 @@ struct Experiment {
   double mutation = 0.8;         ///< probability that a child is mutated
   double crossover = 0.8;  ///< probability that a child has two parents' rules
   int tournament = 2;      ///< contestants, of parents and of survivors
+  Inheritance inheritance = Inheritance::kGenotype;
+  MutationOptions variation;  ///< how a child is mutated
   GenotypeOptions genotype;
   Scenario scenario = PaperScenario();
   /// Where the scenario is when it has a file of its own, as written in the

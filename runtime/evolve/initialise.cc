@@ -1,7 +1,6 @@
 #include "runtime/evolve/initialise.h"
 
 #include <cassert>
-#include <optional>
 
 #include "runtime/evolve/draw.h"
 
@@ -9,11 +8,19 @@ namespace plsc {
 
 namespace {
 
+/// Uniform in low to high.
+std::size_t DrawBetween(int low, int high, Rng& rng) {
+  assert(0 <= low && low <= high);
+  return static_cast<std::size_t>(low) +
+         rng.Index(static_cast<std::size_t>(high - low) + 1);
+}
+
 Clause DrawClause(const GenotypeOptions& options, Rng& rng) {
   Clause clause;
   if (options.encoding == Encoding::kBaseline) return clause;
   const std::size_t terms =
-      1 + rng.Index(static_cast<std::size_t>(options.max_terms));
+      DrawBetween(options.min_initial_terms,
+                  options.max_initial_terms.value_or(options.max_terms), rng);
   for (std::size_t i = 0; i < terms; ++i) {
     if (i > 0) clause.connectives.push_back(DrawConnective(rng));
     clause.terms.push_back(DrawTerm(options.states, rng));
@@ -37,7 +44,7 @@ std::vector<Symbol> DrawProduction(const Alphabet& alphabet, SymbolId head,
 
 Genotype Initialise(const GenotypeOptions& options, Rng& rng) {
   const bool is_plastic = options.encoding == Encoding::kPlasticoding;
-  assert(options.max_groups >= 1);
+  assert(options.min_groups >= 1);
   assert(!is_plastic || (!options.states.empty() && options.max_rules >= 1 &&
                          options.max_terms >= 1));
   Genotype genotype;
@@ -49,7 +56,7 @@ Genotype Initialise(const GenotypeOptions& options, Rng& rng) {
     genotype.max_terms = options.max_terms;
   }
   const auto draw_groups = [&] {
-    return 1 + rng.Index(static_cast<std::size_t>(options.max_groups));
+    return DrawBetween(options.min_groups, options.max_groups, rng);
   };
   std::size_t groups = draw_groups();
   const Alphabet& alphabet = *genotype.alphabet;

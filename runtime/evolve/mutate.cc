@@ -1,5 +1,6 @@
 #include "runtime/evolve/mutate.h"
 
+#include <algorithm>
 #include <cassert>
 #include <iterator>
 #include <utility>
@@ -85,6 +86,29 @@ Clause RemoveTerm(Clause clause, Rng& rng) {
   return clause;
 }
 
+/// By Walker's alias method: each kind owns a quarter, and gives up what is
+/// above its share. So the paper's even shares take one number, as they did
+/// before shares could be chosen.
+MutationKind DrawPlasticKind(double clause_share, Rng& rng) {
+  const auto kind = static_cast<MutationKind>(rng.Index(4));
+  const double others_share = (1 - clause_share) / 3;
+  if (kind == MutationKind::kClause) {
+    if (clause_share >= 0.25 || rng.Bernoulli(4 * clause_share)) return kind;
+    return static_cast<MutationKind>(rng.Index(3));
+  }
+  if (clause_share <= 0.25 || rng.Bernoulli(4 * others_share)) return kind;
+  return MutationKind::kClause;
+}
+
+/// The place of the symbol that `index` means.
+std::size_t Meant(const std::vector<Symbol>& production, std::size_t index,
+                  Removal removal) {
+  if (removal == Removal::kByPosition) return index;
+  const auto first =
+      std::find(production.begin(), production.end(), production[index]);
+  return static_cast<std::size_t>(first - production.begin());
+}
+
 }  // namespace
 
 std::string_view MutationName(MutationKind kind) {
@@ -102,28 +126,32 @@ std::string_view MutationName(MutationKind kind) {
   return "";
 }
 
-Mutation DrawMutation(const Genotype& genotype, Encoding encoding, Rng& rng) {
+Mutation DrawMutation(const Genotype& genotype, Encoding encoding, Rng& rng,
+                      const MutationOptions& options) {
   assert(!genotype.rules.empty());
   Mutation mutation;
-  const std::size_t kinds = encoding == Encoding::kPlasticoding ? 4 : 3;
-  mutation.kind = static_cast<MutationKind>(rng.Index(kinds));
+  mutation.kind = encoding == Encoding::kPlasticoding
+                      ? DrawPlasticKind(options.clause_share, rng)
+                      : static_cast<MutationKind>(rng.Index(3));
   const auto groups = RulesByHead(genotype);
   const std::vector<std::size_t>& group = groups[rng.Index(groups.size())];
   mutation.rule = group[rng.Index(group.size())];
   return mutation;
 }
 
-Genotype Mutate(Genotype genotype, const Mutation& mutation, Rng& rng) {
+Genotype Mutate(Genotype genotype, const Mutation& mutation, Rng& rng,
+                const MutationOptions& options) {
   Rule& rule = genotype.rules[mutation.rule];
   switch (mutation.kind) {
     case MutationKind::kDelete:
-      rule = DeleteSymbol(std::move(rule), rng);
+      rule = DeleteSymbol(std::move(rule), rng, options.removal);
       break;
     case MutationKind::kSwap:
-      rule = SwapSymbols(std::move(rule), rng);
+      rule = SwapSymbols(std::move(rule), rng, options.removal);
       break;
     case MutationKind::kAdd:
-      rule = AddSymbol(std::move(rule), *genotype.alphabet, rng);
+      rule = AddSymbol(std::move(rule), *genotype.alphabet, rng,
+                       options.insertion);
       break;
     case MutationKind::kClause:
       rule.clause = ChangeClause(std::move(rule.clause), genotype.states,
@@ -133,25 +161,29 @@ Genotype Mutate(Genotype genotype, const Mutation& mutation, Rng& rng) {
   return genotype;
 }
 
-Rule DeleteSymbol(Rule rule, Rng& rng) {
+Rule DeleteSymbol(Rule rule, Rng& rng, Removal removal) {
   std::vector<Symbol>& production = rule.production;
   if (production.size() < 2) return rule;
-  const std::size_t index = rng.Index(production.size());
+  const std::size_t index =
+      Meant(production, rng.Index(production.size()), removal);
   if (!IsCore(production[index]))
     production.erase(production.begin() + static_cast<Offset>(index));
   return rule;
 }
 
-Rule SwapSymbols(Rule rule, Rng& rng) {
+Rule SwapSymbols(Rule rule, Rng& rng, Removal removal) {
   std::vector<Symbol>& production = rule.production;
   if (production.size() < 2) return rule;
-  Symbol& a = production[rng.Index(production.size())];
-  Symbol& b = production[rng.Index(production.size())];
+  const std::size_t first = rng.Index(production.size());
+  const std::size_t second = rng.Index(production.size());
+  Symbol& a = production[Meant(production, first, removal)];
+  Symbol& b = production[Meant(production, second, removal)];
   if (!IsCore(a) && !IsCore(b)) std::swap(a, b);
   return rule;
 }
 
-Rule AddSymbol(Rule rule, const Alphabet& alphabet, Rng& rng) {
+Rule AddSymbol(Rule rule, const Alphabet& alphabet, Rng& rng,
+               Insertion insertion) {
   using enum Category;
   constexpr Category kCategories[] = {kModule, kMounting, kMoving,
                                       kControllerMoving, kControllerChanging};
@@ -159,7 +191,10 @@ Rule AddSymbol(Rule rule, const Alphabet& alphabet, Rng& rng) {
   const Symbol symbol = DrawSymbol(alphabet, category, rng);
   std::vector<Symbol>& production = rule.production;
   const std::size_t first = IsCore(production.front()) ? 1 : 0;
-  const std::size_t index = first + rng.Index(production.size() + 1 - first);
+  // Places from `first` on: one more than symbols from there on, or as many.
+  std::size_t places = production.size() + 1 - first;
+  if (insertion == Insertion::kBeforeEnd && places > 1) --places;
+  const std::size_t index = first + rng.Index(places);
   production.insert(production.begin() + static_cast<Offset>(index), symbol);
   return rule;
 }

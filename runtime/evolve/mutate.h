@@ -1,9 +1,9 @@
 #pragma once
 
-// Mutation (paper, "Mutation"): one change of one rule, by index. Arguments of
-// existing symbols never change, C is neither added, deleted nor moved.
-// Differences from the authors' program, which found symbols by value and
-// never appended, are in docs/experiments.md.
+// Mutation (paper, "Mutation"): one change of one rule. Arguments of existing
+// symbols never change, C is neither added, deleted nor moved. Where the
+// authors' program differs from what the paper says (it found symbols by value
+// and never appended), an option chooses; docs/experiments.md compares them.
 
 #include <optional>
 #include <string_view>
@@ -17,6 +17,31 @@ enum class MutationKind : std::uint8_t { kDelete, kSwap, kAdd, kClause };
 /// "delete", "swap", "add", "clause", as logs name it.
 std::string_view MutationName(MutationKind kind);
 
+/// Where a symbol may be added; never before C.
+enum class Insertion : std::uint8_t {
+  kAnywhere,   ///< the end included
+  kBeforeEnd,  ///< before the last symbol or earlier, as the authors' program;
+               ///< after C in a rule of C alone, where that program fails
+};
+
+/// Which symbol a position that was drawn for deletion or a swap means.
+enum class Removal : std::uint8_t {
+  kByPosition,
+  kByValue,  ///< the first one equal to it, as in the authors' program
+};
+
+/// Defaults are the paper's.
+struct MutationOptions {
+  /// Share of clause changes among mutations, 0 to 1; the other kinds share
+  /// the rest evenly. Not used for Encoding::kBaseline.
+  double clause_share = 0.25;
+  Insertion insertion = Insertion::kAnywhere;
+  Removal removal = Removal::kByPosition;
+
+  friend bool operator==(const MutationOptions&,
+                         const MutationOptions&) = default;
+};
+
 /// What was tried on which rule (index into Genotype::rules). A deletion that
 /// meets C or a rule of one symbol, and a swap with C or of a symbol with
 /// itself, change nothing.
@@ -27,20 +52,23 @@ struct Mutation {
   friend bool operator==(const Mutation&, const Mutation&) = default;
 };
 
-/// A symbol with rules, one of its rules, and a kind (kClause only in
-/// kPlasticoding), each uniformly. The genotype has at least one rule.
-Mutation DrawMutation(const Genotype& genotype, Encoding encoding, Rng& rng);
+/// A symbol with rules and one of its rules, each uniformly, and a kind
+/// (kClause only in kPlasticoding). The genotype has at least one rule.
+Mutation DrawMutation(const Genotype& genotype, Encoding encoding, Rng& rng,
+                      const MutationOptions& options = {});
 
 /// Applies it; where (and what is added) is drawn.
-Genotype Mutate(Genotype genotype, const Mutation& mutation, Rng& rng);
+Genotype Mutate(Genotype genotype, const Mutation& mutation, Rng& rng,
+                const MutationOptions& options = {});
 
 /// The parts, for rules of any genotype:
-Rule DeleteSymbol(Rule rule, Rng& rng);
+Rule DeleteSymbol(Rule rule, Rng& rng, Removal removal = {});
 /// Two positions, drawn independently.
-Rule SwapSymbols(Rule rule, Rng& rng);
+Rule SwapSymbols(Rule rule, Rng& rng, Removal removal = {});
 /// A symbol of a category drawn first, at a position from 0 (1 where C is
-/// first) to the end.
-Rule AddSymbol(Rule rule, const Alphabet& alphabet, Rng& rng);
+/// first) to where `insertion` ends, uniformly.
+Rule AddSymbol(Rule rule, const Alphabet& alphabet, Rng& rng,
+               Insertion insertion = {});
 
 /// One of the changes that are possible, each as likely: change a term (bool:
 /// True becomes False and the reverse; enum: another comparison or value;

@@ -27,7 +27,8 @@ class RunLock {
   std::string path_;
 };
 
-/// "process 17 on host", if another process works on the run now.
+/// "process 17 on host", if another process works on the run now. Not to be
+/// asked by the process that does: it would lose its lock (as POSIX has it).
 std::optional<std::string> WhoWorksOn(const std::string& run);
 
 }  // namespace plsc

@@ -27,6 +27,7 @@ struct Versions {
   std::string plsc;
   std::string ode;
   std::string compiler;
+  std::string machine;  ///< its kind (sim/machine_kind.h)
 
   friend bool operator==(const Versions&, const Versions&) = default;
 };

@@ -136,5 +136,28 @@ TEST_CASE("descriptors are listed under the authors' names", "[descriptors]") {
   CHECK(List(BrainDescriptors{}).size() == 11);
 }
 
+TEST_CASE("descriptors come back from their lists", "[descriptors]") {
+  // A number of its own each, whole ones for the counts.
+  const auto numbers = [](const std::vector<NamedValue>& list) {
+    std::vector<double> values;
+    for (const NamedValue& value : list)
+      values.push_back(static_cast<double>(values.size() + 1) +
+                       (value.is_count ? 0 : 0.1));
+    return values;
+  };
+  const auto values = [](const std::vector<NamedValue>& list) {
+    std::vector<double> all;
+    for (const NamedValue& value : list) all.push_back(value.value);
+    return all;
+  };
+  const auto body = numbers(List(BodyDescriptors{}));
+  CHECK(values(List(BodyDescriptorsOf(body))) == body);
+  const auto brain = numbers(List(BrainDescriptors{}));
+  CHECK(values(List(BrainDescriptorsOf(brain))) == brain);
+  const auto behaviour = numbers(List(Behaviour{}));
+  CHECK(values(List(BehaviourOf(behaviour))) == behaviour);
+  CHECK(BehaviourOf(behaviour).is_valid);
+}
+
 }  // namespace
 }  // namespace plsc

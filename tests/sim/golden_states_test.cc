@@ -14,7 +14,7 @@
 #include <set>
 #include <thread>
 
-#include "sim/state_hash.h"
+#include "sim/machine_kind.h"
 #include "tests/sim/golden_robots.h"
 #include "tests/sim/random_robot.h"
 
@@ -23,27 +23,6 @@ namespace {
 
 using test::GoldenLife;
 using Hashes = std::vector<std::uint64_t>;
-
-/// What bits depend on besides our own code: libm picks variants of its
-/// functions by the processor (fused multiply-add or not), which differ in
-/// last bits. So their very results tell the kind of machine, and ODE's
-/// version the rest.
-std::string MachineKind() {
-  StateHash hash;
-  for (int i = 1; i <= 5000; ++i) {
-    const double x = 0.37 * i;
-    for (const double y : {std::sin(x), std::cos(x), std::atan2(x, 1.1),
-                           std::pow(x, 0.3), std::exp(-x / 100)})
-      hash.Add(y);
-  }
-  return fmt::format("{} ode {} libm {:016x}",
-#if defined(__x86_64__)
-                     "x86_64",
-#else
-                     "other",
-#endif
-                     PLSC_ODE_VERSION, hash.value());
-}
 
 Hashes HashAll(const std::vector<GoldenLife>& lives) {
   Hashes hashes;

@@ -1,9 +1,56 @@
 #include "runtime/evolve/consolidate.h"
 
 #include <catch2/catch.hpp>
+#include <cstddef>
+#include <optional>
 #include <vector>
 
+#include "runtime/evolve/rng.h"
+
 namespace plsc {
+
+namespace {
+
+/// Every way to have one of the values nothing, 0, 1 and 2 in `seasons`.
+std::vector<SeasonFitnesses> AllOf(std::size_t seasons) {
+  std::vector<SeasonFitnesses> all = {{}};
+  for (std::size_t i = 0; i < seasons; ++i) {
+    std::vector<SeasonFitnesses> longer;
+    for (const SeasonFitnesses& one : all)
+      for (const std::optional<double>& value :
+           {std::optional<double>(), std::optional<double>(0),
+            std::optional<double>(1), std::optional<double>(2)}) {
+        longer.push_back(one);
+        longer.back().push_back(value);
+      }
+    all = std::move(longer);
+  }
+  return all;
+}
+
+/// The definition, with nothing as -1, which none of AllOf's numbers is.
+bool DominatesByDefinition(const SeasonFitnesses& a, const SeasonFitnesses& b) {
+  std::size_t worse = 0;
+  std::size_t better = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    worse += a[i].value_or(-1) < b[i].value_or(-1) ? 1 : 0;
+    better += a[i].value_or(-1) > b[i].value_or(-1) ? 1 : 0;
+  }
+  return worse == 0 && better > 0;
+}
+
+/// Better in more seasons than worse: right for two seasons, as the authors'
+/// program had, and not for more.
+bool DominatesBySigns(const SeasonFitnesses& a, const SeasonFitnesses& b) {
+  int sum = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    sum += a[i].value_or(-1) > b[i].value_or(-1) ? 1 : 0;
+    sum -= a[i].value_or(-1) < b[i].value_or(-1) ? 1 : 0;
+  }
+  return sum > 0;
+}
+
+}  // namespace
 
 TEST_CASE("Domination is Pareto's, and nothing is worse than any number",
           "[consolidate]") {
@@ -60,6 +107,50 @@ TEST_CASE("The count is of those dominated in the set", "[consolidate]") {
   };
   CHECK(DominationCounts(set) == std::vector<int>{4, 3, 2, 2, 0, 0});
   CHECK(DominationCounts({}).empty());
+}
+
+TEST_CASE("Domination is the definition for up to four seasons",
+          "[consolidate]") {
+  for (std::size_t seasons = 1; seasons <= 4; ++seasons) {
+    const std::vector<SeasonFitnesses> all = AllOf(seasons);
+    int differences = 0;
+    for (const SeasonFitnesses& a : all)
+      for (const SeasonFitnesses& b : all) {
+        const bool is_dominated = DominatesByDefinition(a, b);
+        if (Dominates(a, b) != is_dominated) FAIL("at " << seasons);
+        differences += DominatesBySigns(a, b) != is_dominated ? 1 : 0;
+      }
+    CAPTURE(seasons);
+    // From three seasons on: better, better, worse.
+    CHECK((differences > 0) == (seasons >= 3));
+  }
+}
+
+TEST_CASE("Counts of random pools are those of comparing all pairs",
+          "[consolidate]") {
+  Rng rng({9301, 0, 0, Purpose::kSelectSurvivors});
+  for (const std::size_t seasons : {1u, 2u, 3u, 5u}) {
+    std::vector<SeasonFitnesses> pool(200);
+    for (SeasonFitnesses& one : pool)
+      for (std::size_t i = 0; i < seasons; ++i)
+        // Few values, so that many are equal; every sixth is nothing.
+        one.push_back(rng.Index(6) == 0
+                          ? std::optional<double>()
+                          : static_cast<double>(rng.Index(10)) / 100);
+    const std::vector<int> counts = DominationCounts(pool);
+    for (std::size_t i = 0; i < pool.size(); ++i) {
+      int expected = 0;
+      for (const SeasonFitnesses& other : pool)
+        expected += DominatesByDefinition(pool[i], other) ? 1 : 0;
+      REQUIRE(counts[i] == expected);
+      if (seasons > 1) continue;
+      // With one season the counts order the pool as its fitness does.
+      for (std::size_t k = 0; k < pool.size(); ++k) {
+        REQUIRE((counts[i] < counts[k]) == (pool[i][0] < pool[k][0]));
+        REQUIRE((counts[i] == counts[k]) == (pool[i][0] == pool[k][0]));
+      }
+    }
+  }
 }
 
 TEST_CASE("With one season the count orders as the fitness does",

@@ -1,17 +1,17 @@
 #include "runtime/evolve/crossover.h"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
+#include <string>
 #include <vector>
 
+#include "runtime/evolve/breed.h"
 #include "runtime/evolve/initialise.h"
-#include "tests/runtime/evolve/chi_square.h"
+#include "tests/runtime/evolve/reference_statistics.h"
 
 namespace plsc {
 
 namespace {
-
-using test::kSignificance;
-using test::PValue;
 
 Genotype Parent(std::uint64_t id, Encoding encoding) {
   GenotypeOptions options;
@@ -81,26 +81,58 @@ TEST_CASE("A symbol without rules in the chosen parent has none in the child",
 
 TEST_CASE("Letters come from the second parent as in the authors' program",
           "[crossover]") {
-  // Their 20,000 children at a crossover probability of 0.8, by the number of
-  // letters (0 to 5) from the second parent.
-  const std::vector<int> theirs = {4580, 2474, 5060, 4923, 2466, 497};
-  std::vector<int> ours(6);
-  std::vector<int> letters(5);
+  // Over children of two parents, with a crossover probability of 0.8.
+  for (const Encoding encoding :
+       {Encoding::kPlasticoding, Encoding::kBaseline}) {
+    const bool is_plastic = encoding == Encoding::kPlasticoding;
+    const nlohmann::json theirs =
+        test::ReferenceStatistics(is_plastic ? "crossover_plastic_prob_0.8"
+                                             : "crossover_baseline_prob_0.8");
+    Experiment experiment;
+    experiment.population = 2;
+    experiment.mutation = 0;
+    experiment.genotype.encoding = encoding;
+    const std::vector<Individual> parents = {CreateFirst(experiment, 1),
+                                             CreateFirst(experiment, 2)};
+    test::Tally ours;
+    for (int id = 3; id < 20003; ++id) {
+      const Individual child = CreateChild(experiment, 1, id, parents, {0, 0});
+      const Genotype& second =
+          parents[static_cast<std::size_t>(child.heritage.parents[1] - 1)]
+              .genotype;
+      int taken = 0;
+      for (std::uint16_t head = 0; head < 5; ++head) {
+        const bool is_taken = RulesOf(child.genotype, SymbolId{head}) ==
+                              RulesOf(second, SymbolId{head});
+        taken += is_taken ? 1 : 0;
+        ours.Count((*second.alphabet)[SymbolId{head}].name,
+                   is_taken ? "second" : "first");
+      }
+      ours.Count("letters_from_second_parent_per_child", std::to_string(taken));
+    }
+    CHECK(ours.Disagreements(theirs, {"letters_from"}) ==
+          std::vector<std::string>{});
+    CHECK(ours.Disagreements(theirs.at("letters_from")) ==
+          std::vector<std::string>{});
+  }
+}
+
+TEST_CASE("A crossover of another probability is told from the authors'",
+          "[crossover]") {
+  const nlohmann::json theirs =
+      test::ReferenceStatistics("crossover_plastic_prob_0.8");
+  test::Tally ours;
   for (std::uint64_t id = 0; id < 20000; ++id) {
     Rng rng({9008, 1, id, Purpose::kCrossover});
-    std::size_t taken = 0;
-    if (rng.Bernoulli(0.8)) {
+    std::ptrdiff_t taken = 0;
+    if (rng.Bernoulli(0.7)) {
       const auto choices = DrawCrossover(*PlasticodingAlphabet(), rng);
       REQUIRE(choices.size() == 5);
-      for (std::size_t i = 0; i < 5; ++i) {
-        letters[i] += choices[i] ? 1 : 0;
-        taken += choices[i] ? 1 : 0;
-      }
+      taken = std::count(choices.begin(), choices.end(), true);
     }
-    ++ours[taken];
+    ours.Count("letters_from_second_parent_per_child", std::to_string(taken));
   }
-  CHECK(PValue(ours, theirs) > kSignificance);
-  CHECK(PValue(letters, std::vector<double>(5, 1)) > kSignificance);
+  CHECK(ours.Disagreements(theirs, {"letters_from"}).size() == 1);
 }
 
 }  // namespace plsc

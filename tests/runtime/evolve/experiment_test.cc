@@ -31,10 +31,15 @@ Experiment Unusual() {
                          {{"null", StateType::kBool, 0, 0, {}},
                           {"temperature", StateType::kReal, -40, 60.5, {}},
                           {"ground", StateType::kEnum, 0, 0, {"sand", "wet"}}},
+                         2,
                          3,
                          true,
                          5,
-                         4};
+                         4,
+                         0,
+                         3};
+  experiment.inheritance = Inheritance::kJoined;
+  experiment.variation = {0.1, Insertion::kBeforeEnd, Removal::kByValue};
   experiment.scenario.name = "other";
   experiment.scenario.seasons.pop_back();
   return experiment;
@@ -54,7 +59,14 @@ TEST_CASE("Without any key an experiment is the paper's", "[experiment]") {
   CHECK(read->tournament == 2);
   CHECK(read->genotype.development.iterations == 3);
   CHECK(read->genotype.development.max_modules == 15);
+  CHECK(read->inheritance == Inheritance::kGenotype);
+  CHECK(read->variation.clause_share == 0.25);
+  CHECK(read->variation.insertion == Insertion::kAnywhere);
+  CHECK(read->variation.removal == Removal::kByPosition);
+  CHECK(read->genotype.min_groups == 1);
   CHECK(read->genotype.max_groups == 4);
+  CHECK(read->genotype.min_initial_terms == 1);
+  CHECK_FALSE(read->genotype.max_initial_terms);
   CHECK(read->genotype.max_rules == 2);
   CHECK(read->genotype.max_terms == 2);
   CHECK(read->genotype.states.size() == 1);
@@ -105,6 +117,30 @@ TEST_CASE("Mistakes in an experiment are shown where they are",
        "mutation: 80\n",
        {"expected at least 0 and at most 1, found 80"}},
       {"a percent sign", "mutation: 80%\n", {"without a unit, found '%'"}},
+      {"an unknown inheritance",
+       "inheritance: epigenetic\n",
+       {"expected genotype or joined or senses, found 'epigenetic'"}},
+      {"an unknown insertion",
+       "insertion: end\n",
+       {"expected anywhere or before_end, found 'end'"}},
+      {"an unknown removal",
+       "removal: value\n",
+       {"expected by_position or by_value, found 'value'"}},
+      {"a share above one",
+       "clause_mutation: 1.5\n",
+       {"expected at least 0 and at most 1, found 1.5"}},
+      {"more groups at least than at most",
+       "max_groups: 2\nmin_groups: 3\n",
+       {"expected a whole number of 1 to 2, found 3", "test.yaml:2:13"}},
+      {"more terms at first than ever",
+       "max_terms: 2\nmax_initial_terms: 3\n",
+       {"expected a whole number of 0 to 2, found 3"}},
+      {"more terms at least than at most",
+       "max_initial_terms: 1\nmin_initial_terms: 2\n",
+       {"expected a whole number of 0 to 1, found 2"}},
+      {"a word that is no number of terms",
+       "max_initial_terms: max_rules\n",
+       {"expected a whole number", "max_rules"}},
       {"an unknown encoding",
        "encoding: plastic\n",
        {"expected plasticoding or baseline, found 'plastic'"}},

@@ -55,6 +55,26 @@ TEST_CASE("Selected individuals are distinct", "[select]") {
   CHECK(std::set<std::size_t>(chosen.begin(), chosen.end()).size() == 100);
 }
 
+TEST_CASE("Survivors are as likely as drawing until enough have won",
+          "[select]") {
+  // Of scores 1, 2, 3 in tournaments of 2, winners have 1/9, 3/9, 5/9; who of
+  // three is left out of two survivors follows from the pairs in order.
+  const std::vector<double> wins = {1.0 / 9, 3.0 / 9, 5.0 / 9};
+  std::vector<double> left_out(3);
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t k = 0; k < 3; ++k)
+      if (i != k) left_out[3 - i - k] += wins[i] * wins[k] / (1 - wins[i]);
+  std::vector<int> counts(3);
+  for (std::uint64_t id = 0; id < 20000; ++id) {
+    Rng rng({16, id, 0, Purpose::kSelectSurvivors});
+    const auto chosen = SelectDistinct({1, 2, 3}, 2, 2, rng);
+    REQUIRE(chosen[0] != chosen[1]);
+    ++counts[3 - chosen[0] - chosen[1]];
+  }
+  CHECK(PValue(counts, left_out) > kSignificance);
+  CHECK(PValue(counts, std::vector<double>{3, 2, 1}) < kSignificance);
+}
+
 TEST_CASE("The second parent is a winner that is not the first", "[select]") {
   // Of scores 1, 2, 3 in tournaments of 2 the winners have 1/9, 3/9, 5/9;
   // given the first, the second has its share of what is left.

@@ -1,0 +1,89 @@
+#include "runtime/store/checksum.h"
+
+#include <fmt/format.h>
+
+#include <string>
+
+#include "runtime/key.h"
+#include "runtime/store/schema.h"
+
+namespace plsc {
+
+namespace {
+
+void AppendRows(Statement& statement, std::string& bytes) {
+  while (statement.Next()) {
+    for (int i = 0; i < statement.columns(); ++i)
+      bytes += statement.TakeBytes();
+    bytes += '\n';
+  }
+}
+
+/// 64 bits of the content's key: what a disk does is no attack.
+std::int64_t Of(const std::string& bytes) {
+  return static_cast<std::int64_t>(KeyOf(bytes).low);
+}
+
+std::string EvaluationSql() {
+  return fmt::format(
+      "SELECT season.name, evaluation.profile, evaluation.begin, "
+      "evaluation.inclination, sensed, sources, change, change_reason, "
+      "evaluation.outcome, evaluation.reason, fitness, evaluation.phenotype, "
+      "body, brain, {}, evaluation.simulation, simulation.begin, "
+      "simulation.inclination, simulation.outcome, simulation.reason, "
+      "is_valid, {}, state_hash, steps, solver_warnings "
+      "FROM evaluation JOIN season ON season.id = evaluation.season "
+      "LEFT JOIN phenotype ON phenotype.key = evaluation.phenotype "
+      "LEFT JOIN simulation ON simulation.key = evaluation.simulation "
+      "WHERE individual = ? AND season = ?",
+      fmt::join(PhenotypeColumns(), ", "), fmt::join(BehaviourColumns(), ", "));
+}
+
+}  // namespace
+
+Checksums::Checksums(Database& database)
+    : run_(database,
+           "SELECT id, name, seed, generations, evaluations, random, plsc, "
+           "ode, compiler, machine, experiment, scenario FROM run"),
+      constants_(database,
+                 "SELECT season.id, season.name, physics.name, value, unit "
+                 "FROM season LEFT JOIN physics ON physics.season = season.id "
+                 "ORDER BY season.id, physics.name"),
+      individual_(database,
+                  "SELECT id, generation, parent1, parent2, from_second, "
+                  "mutation, mutated_rule, senses, genotype.name, text "
+                  "FROM individual JOIN genotype USING (id) WHERE id = ?"),
+      evaluation_(database, EvaluationSql()),
+      generation_(database,
+                  "SELECT number, best FROM generation WHERE number = ?"),
+      members_(database,
+               "SELECT place, individual, count, survivor FROM member "
+               "WHERE generation = ? ORDER BY individual") {}
+
+std::int64_t Checksums::OfRun() {
+  std::string bytes;
+  AppendRows(run_.With(), bytes);
+  AppendRows(constants_.With(), bytes);
+  return Of(bytes);
+}
+
+std::int64_t Checksums::OfIndividual(int id) {
+  std::string bytes;
+  AppendRows(individual_.With(id), bytes);
+  return Of(bytes);
+}
+
+std::int64_t Checksums::OfEvaluation(int individual, int season) {
+  std::string bytes;
+  AppendRows(evaluation_.With(individual, season), bytes);
+  return Of(bytes);
+}
+
+std::int64_t Checksums::OfGeneration(int number) {
+  std::string bytes;
+  AppendRows(generation_.With(number), bytes);
+  AppendRows(members_.With(number), bytes);
+  return Of(bytes);
+}
+
+}  // namespace plsc

@@ -1,0 +1,69 @@
+#include "runtime/store/constants.h"
+
+#include <fmt/format.h>
+
+#include <cassert>
+#include <charconv>
+
+#include "runtime/yaml_reader.h"
+
+namespace plsc {
+
+namespace {
+
+/// "5 deg" and "0.8" are numbers; a quoted text, or "2x2", is none.
+void TakeNumber(Constant& constant) {
+  const std::string& text = constant.text;
+  const char* end = text.data() + text.size();
+  double number = 0;
+  const auto [stop, error] = std::from_chars(text.data(), end, number);
+  if (error != std::errc{} || (stop != end && *stop != ' ')) return;
+  constant.number = number;
+  if (stop != end) constant.unit = std::string(stop + 1, end);
+}
+
+void Collect(const YamlValue& value, const std::string& name,
+             std::vector<Constant>& constants) {
+  if (value.is_scalar()) {
+    Constant constant{name, value.text(), std::nullopt, std::nullopt};
+    if (!value.is_quoted()) TakeNumber(constant);
+    constants.push_back(std::move(constant));
+  } else if (value.is_map()) {
+    std::optional<YamlMap> map = value.Map("constants");
+    for (const YamlMap::Entry& entry : map->TakeAll())
+      Collect(entry.value, name + "." + entry.key, constants);
+  } else if (const auto items = value.List("constants")) {
+    for (std::size_t i = 0; i < items->size(); ++i)
+      Collect((*items)[i], fmt::format("{}.{}", name, i), constants);
+  }
+}
+
+}  // namespace
+
+std::vector<Constant> ConstantsOf(const Scenario& scenario,
+                                  const Season& season) {
+  Scenario alone = scenario;
+  alone.seasons = {season};
+  const Source yaml("scenario", PrintScenario(alone));
+  const YamlFile file(yaml);
+  std::optional<YamlMap> root = file.Root("a scenario");
+  assert(root);
+  std::vector<Constant> constants;
+  for (const YamlMap::Entry& entry : root->TakeAll()) {
+    if (entry.key == "name") continue;  // of no consequence
+    if (entry.key != "seasons") {
+      Collect(entry.value, entry.key, constants);
+      continue;
+    }
+    const auto seasons = entry.value.List("seasons");
+    assert(seasons && seasons->size() == 1);
+    std::optional<YamlMap> own = seasons->front().Map("a season");
+    for (const YamlMap::Entry& constant : own->TakeAll())
+      if (constant.key != "name")
+        Collect(constant.value, constant.key, constants);
+  }
+  assert(file.diagnostics().empty());
+  return constants;
+}
+
+}  // namespace plsc

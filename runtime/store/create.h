@@ -1,0 +1,19 @@
+#pragma once
+
+// A run's store as it is before anybody is born.
+
+#include <optional>
+#include <string>
+
+#include "runtime/evolve/experiment.h"
+#include "runtime/store/run_store.h"
+
+namespace plsc {
+
+/// Makes the file as a whole or not at all: `path` must not exist, and only
+/// one process may try. What went wrong, or nothing.
+std::optional<std::string> CreateStoreFile(const std::string& path,
+                                           const Experiment& experiment,
+                                           const Versions& versions);
+
+}  // namespace plsc

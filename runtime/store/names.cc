@@ -1,0 +1,149 @@
+#include "runtime/store/names.h"
+
+#include <charconv>
+#include <nlohmann/json.hpp>
+
+namespace plsc {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+template <typename Enum, typename Name>
+std::optional<Enum> Named(std::string_view name, Enum last, Name name_of) {
+  for (int i = 0; i <= static_cast<int>(last); ++i)
+    if (name_of(static_cast<Enum>(i)) == name) return static_cast<Enum>(i);
+  return std::nullopt;
+}
+
+std::string Dump(const Json& json) {
+  // A text that is no UTF-8 would be an exception otherwise.
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+Json Parse(const std::string& text) {
+  return Json::parse(text, nullptr, false);
+}
+
+std::optional<std::vector<std::string>> TextsOf(const std::string& text) {
+  const Json json = Parse(text);
+  if (!json.is_array()) return std::nullopt;
+  std::vector<std::string> texts;
+  for (const Json& item : json) {
+    if (!item.is_string()) return std::nullopt;
+    texts.push_back(item.get<std::string>());
+  }
+  return texts;
+}
+
+}  // namespace
+
+std::optional<Outcome> OutcomeOf(std::string_view name) {
+  return Named(name, Outcome::kStopped, OutcomeName);
+}
+
+std::optional<Change> ChangeOf(std::string_view name) {
+  return Named(name, Change::kBody, ChangeName);
+}
+
+std::optional<Profile> ProfileOf(std::string_view name) {
+  return Named(name, Profile::kPublished, ProfileName);
+}
+
+std::optional<MutationKind> MutationOf(std::string_view name) {
+  return Named(name, MutationKind::kClause, MutationName);
+}
+
+std::optional<SenseSource> SourceOf(std::string_view name) {
+  return Named(name, SenseSource::kParent, SenseSourceName);
+}
+
+std::optional<std::uint64_t> WordOfHex(std::string_view digits) {
+  constexpr std::size_t kDigits = 16;
+  constexpr int kBase = 16;
+  if (digits.size() != kDigits) return std::nullopt;
+  std::uint64_t word = 0;
+  const char* end = digits.data() + digits.size();
+  const auto [stop, error] = std::from_chars(digits.data(), end, word, kBase);
+  if (error != std::errc{} || stop != end) return std::nullopt;
+  return word;
+}
+
+std::optional<Key> KeyOfHex(std::string_view digits) {
+  constexpr std::size_t kHalf = 16;
+  if (digits.size() != 2 * kHalf) return std::nullopt;
+  const auto high = WordOfHex(digits.substr(0, kHalf));
+  const auto low = WordOfHex(digits.substr(kHalf));
+  if (!high || !low) return std::nullopt;
+  return Key{*high, *low};
+}
+
+std::string SensedText(const std::vector<SensedState>& sensed) {
+  Json json = Json::object();
+  for (const SensedState& state : sensed) json[state.name] = state.value;
+  return Dump(json);
+}
+
+std::string SourcesText(const std::vector<SensedState>& sensed) {
+  Json json = Json::object();
+  for (const SensedState& state : sensed)
+    json[state.name] = SenseSourceName(state.from);
+  return Dump(json);
+}
+
+std::optional<std::vector<SensedState>> SensedOf(const std::string& sensed,
+                                                 const std::string& sources) {
+  const Json values = Parse(sensed);
+  const Json by = Parse(sources);
+  if (!values.is_object() || !by.is_object()) return std::nullopt;
+  std::vector<SensedState> states;
+  for (const auto& [name, value] : values.items()) {
+    const auto from = by.find(name);
+    if (!value.is_string() || from == by.end() || !from->is_string())
+      return std::nullopt;
+    const auto source = SourceOf(from->get<std::string>());
+    if (!source) return std::nullopt;
+    states.push_back({name, value.get<std::string>(), *source});
+  }
+  return states;
+}
+
+std::string HeadsText(const std::vector<SymbolId>& heads,
+                      const Alphabet& alphabet) {
+  Json json = Json::array();
+  for (const SymbolId head : heads) json.push_back(alphabet[head].name);
+  return Dump(json);
+}
+
+std::optional<std::vector<SymbolId>> HeadsOf(const std::string& text,
+                                             const Alphabet& alphabet) {
+  const auto names = TextsOf(text);
+  if (!names) return std::nullopt;
+  std::vector<SymbolId> heads;
+  for (const std::string& name : *names) {
+    const auto head = alphabet.Find(name);
+    if (!head) return std::nullopt;
+    heads.push_back(*head);
+  }
+  return heads;
+}
+
+std::string SensesText(const std::map<std::string, std::string>& senses) {
+  Json json = Json::object();
+  for (const auto& [name, value] : senses) json[name] = value;
+  return Dump(json);
+}
+
+std::optional<std::map<std::string, std::string>> SensesOf(
+    const std::string& text) {
+  const Json json = Parse(text);
+  if (!json.is_object()) return std::nullopt;
+  std::map<std::string, std::string> senses;
+  for (const auto& [name, value] : json.items()) {
+    if (!value.is_string()) return std::nullopt;
+    senses[name] = value.get<std::string>();
+  }
+  return senses;
+}
+
+}  // namespace plsc

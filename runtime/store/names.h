@@ -1,0 +1,47 @@
+#pragma once
+
+// Enumerators and small lists as the texts of a store's columns, and back.
+// What is no such text, as in a damaged file, is nothing.
+
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "runtime/evaluation.h"
+#include "runtime/evolve/mutate.h"
+#include "runtime/key.h"
+
+namespace plsc {
+
+std::optional<Outcome> OutcomeOf(std::string_view name);
+std::optional<Change> ChangeOf(std::string_view name);
+std::optional<Profile> ProfileOf(std::string_view name);
+std::optional<MutationKind> MutationOf(std::string_view name);
+
+/// Of 32 hexadecimal digits, as Hex writes them.
+std::optional<Key> KeyOfHex(std::string_view digits);
+/// Of 16.
+std::optional<std::uint64_t> WordOfHex(std::string_view digits);
+
+std::optional<SenseSource> SourceOf(std::string_view name);
+
+/// {"inclined":"True","hot":"False"} and {"inclined":"imu","hot":"season"}.
+std::string SensedText(const std::vector<SensedState>& sensed);
+std::string SourcesText(const std::vector<SensedState>& sensed);
+std::optional<std::vector<SensedState>> SensedOf(const std::string& sensed,
+                                                 const std::string& sources);
+
+/// ["C","A1"].
+std::string HeadsText(const std::vector<SymbolId>& heads,
+                      const Alphabet& alphabet);
+std::optional<std::vector<SymbolId>> HeadsOf(const std::string& text,
+                                             const Alphabet& alphabet);
+
+/// {"inclined":"True"}.
+std::string SensesText(const std::map<std::string, std::string>& senses);
+std::optional<std::map<std::string, std::string>> SensesOf(
+    const std::string& text);
+
+}  // namespace plsc

@@ -1,0 +1,346 @@
+#include "runtime/store/run_store.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cerrno>
+#include <filesystem>
+#include <set>
+#include <system_error>
+#include <utility>
+
+#include "runtime/store/create.h"
+#include "runtime/store/database.h"
+#include "runtime/store/lock.h"
+#include "runtime/store/run_reader.h"
+#include "runtime/store/run_writer.h"
+#include "runtime/store/verify.h"
+#include "sim/machine_kind.h"
+
+namespace plsc {
+
+namespace {
+
+using Failure = std::optional<std::string>;
+
+std::string HostName() {
+  std::array<char, 256> name{};
+  if (gethostname(name.data(), name.size() - 1) != 0) return "";
+  return name.data();
+}
+
+Failure CheckAbsent(const std::string& path) {
+  std::error_code error;
+  const auto status = std::filesystem::symlink_status(path, error);
+  if (std::filesystem::exists(status))
+    return fmt::format(
+        "'{}' exists; a run is never overwritten: choose another name, or go "
+        "on with --resume",
+        path);
+  const auto folder = std::filesystem::path(path).parent_path();
+  if (access(folder.empty() ? "." : folder.c_str(), W_OK | X_OK) != 0)
+    return fmt::format(
+        "cannot create '{}': {}", path,
+        std::error_code(errno, std::generic_category()).message());
+  return std::nullopt;
+}
+
+/// Results are a function of these too.
+Failure CheckVersions(const std::string& path, const Versions& versions) {
+  const Versions own = ThisProgram();
+  const auto differs = [&](const char* what, const std::string& then,
+                           const std::string& now) -> Failure {
+    if (then == now) return std::nullopt;
+    return fmt::format(
+        "'{}' was begun with {} {}, and this is {}: to go on would not give "
+        "the results of a run that was never interrupted",
+        path, what, then, now);
+  };
+  if (auto failure = differs("plsc", versions.plsc, own.plsc)) return failure;
+  if (auto failure = differs("ODE", versions.ode, own.ode)) return failure;
+  if (auto failure = differs("compiler", versions.compiler, own.compiler))
+    return failure;
+  return differs("machine", versions.machine, own.machine);
+}
+
+std::map<std::string, int> SeasonIds(const Experiment& experiment) {
+  std::map<std::string, int> ids;
+  for (const Season& season : experiment.scenario.seasons)
+    ids.emplace(season.name, static_cast<int>(ids.size()) + 1);
+  return ids;
+}
+
+}  // namespace
+
+// In the order in which they must go: statements before their connection, and
+// that before the lock.
+struct RunStore::Parts {
+  std::string path;
+  Experiment experiment;
+  Versions versions;
+  RunLock lock;
+  Database database;
+  std::unique_ptr<RunReader> reader;
+  std::unique_ptr<RunWriter> writer;
+  std::int64_t session = 0;  // its row
+
+  Failure Connect(Database::Mode mode);
+  Failure ReadRun();
+  /// Of everything since the last failure that somebody heard of.
+  template <typename T>
+  Loaded<T> Tell(T value) {
+    if (Failure failure = database.TakeFailure())
+      return Loaded<T>::Failed(std::move(*failure));
+    return value;
+  }
+  std::vector<Ancestor> FindLineage(int id, int distance);
+};
+
+Failure RunStore::Parts::Connect(Database::Mode mode) {
+  if (Failure failure = database.Open(path, mode)) return failure;
+  if (Failure failure = CheckIdentity(database)) return failure;
+  if (Failure failure = ReadRun()) return failure;
+  reader = std::make_unique<RunReader>(database);
+  if (mode != Database::Mode::kRead)
+    writer =
+        std::make_unique<RunWriter>(database, *reader, SeasonIds(experiment));
+  return database.TakeFailure();
+}
+
+Failure RunStore::Parts::ReadRun() {
+  Statement run(database,
+                "SELECT plsc, ode, compiler, machine, experiment FROM run");
+  if (!run.With().Next()) {
+    if (Failure failure = database.TakeFailure()) return failure;
+    return fmt::format("'{}' is damaged: it does not say what the run is",
+                       path);
+  }
+  versions.plsc = run.TakeText();
+  versions.ode = run.TakeText();
+  versions.compiler = run.TakeText();
+  versions.machine = run.TakeText();
+  Result<Experiment> read = ParseExperiment(Source(path, run.TakeText()));
+  if (!read)
+    return fmt::format("'{}' is damaged: its experiment cannot be read ({})",
+                       path, read.diagnostics().front().message);
+  experiment = std::move(*read);
+  return database.TakeFailure();
+}
+
+RunStore::RunStore() : parts_(std::make_unique<Parts>()) {}
+
+RunStore::~RunStore() {
+  Close();
+}
+
+Failure RunStore::Create(const std::string& path, const Experiment& experiment,
+                         const std::optional<Versions>& versions) {
+  parts_ = std::make_unique<Parts>();
+  parts_->path = path;
+  if (Failure failure = CheckAbsent(path)) return failure;
+  if (Failure failure = parts_->lock.Take(path)) return failure;
+  // Another process may have made it before it gave the lock back.
+  Failure failure = CheckAbsent(path);
+  if (!failure)
+    failure =
+        CreateStoreFile(path, experiment, versions.value_or(ThisProgram()));
+  if (!failure) failure = parts_->Connect(Database::Mode::kWrite);
+  if (failure) parts_ = std::make_unique<Parts>();
+  return failure;
+}
+
+Failure RunStore::Open(const std::string& path) {
+  parts_ = std::make_unique<Parts>();
+  parts_->path = path;
+  // What is no file at all is not worth a lock.
+  Failure failure = parts_->Connect(Database::Mode::kRead);
+  const Versions versions = parts_->versions;
+  parts_ = std::make_unique<Parts>();
+  parts_->path = path;
+  if (!failure) failure = parts_->lock.Take(path);
+  if (!failure) failure = CheckVersions(path, versions);
+  if (!failure) failure = Examine(path).problem;
+  if (!failure) failure = parts_->Connect(Database::Mode::kWrite);
+  if (failure) parts_ = std::make_unique<Parts>();
+  return failure;
+}
+
+Failure RunStore::OpenForReading(const std::string& path) {
+  parts_ = std::make_unique<Parts>();
+  parts_->path = path;
+  Failure failure = parts_->Connect(Database::Mode::kRead);
+  if (failure) parts_ = std::make_unique<Parts>();
+  return failure;
+}
+
+Failure RunStore::Close() {
+  Parts& parts = *parts_;
+  Failure failure = parts.database.TakeFailure();
+  // The journal goes into the file now and not at some later opening, so that
+  // the file alone is the run.
+  if (parts.writer && !failure) {
+    parts.database.Run("PRAGMA wal_checkpoint(TRUNCATE)");
+    failure = parts.database.TakeFailure();
+  }
+  parts.writer.reset();
+  parts.reader.reset();
+  parts.database.Close();
+  parts.lock.Release();
+  return failure;
+}
+
+const std::string& RunStore::path() const {
+  return parts_->path;
+}
+
+const Experiment& RunStore::experiment() const {
+  return parts_->experiment;
+}
+
+const Versions& RunStore::versions() const {
+  return parts_->versions;
+}
+
+Loaded<SavedRun> RunStore::Load() {
+  assert(parts_->reader);
+  RunReader& reader = *parts_->reader;
+  const Transaction instant(parts_->database);
+  SavedRun saved;
+  saved.generations = reader.Generations();
+  saved.evaluations = reader.Evaluations();
+  int next = 1;  // the first id of the generation under way
+  if (saved.generations > 0) {
+    const auto last = reader.FindGeneration(saved.generations - 1);
+    if (!last) return parts_->Tell(saved);
+    for (const int id : last->survivors) {
+      saved.population.push_back(reader.FindIndividual(id));
+      const auto place = std::find(last->pool.begin(), last->pool.end(), id);
+      saved.counts.push_back(
+          last->counts[static_cast<std::size_t>(place - last->pool.begin())]);
+    }
+    next = *std::max_element(last->pool.begin(), last->pool.end()) + 1;
+  }
+  for (const int id : reader.EvaluatedSince(next))
+    saved.evaluated.emplace(id, reader.FindEvaluation(id));
+  return parts_->Tell(std::move(saved));
+}
+
+Loaded<RunStatus> RunStore::Status() {
+  assert(parts_->reader);
+  RunReader& reader = *parts_->reader;
+  const Transaction instant(parts_->database);
+  RunStatus status;
+  status.generations = reader.Generations();
+  status.evaluations = reader.Evaluations();
+  if (status.generations > 0)
+    if (const auto last = reader.FindGeneration(status.generations - 1))
+      status.best = last->best;
+  status.is_finished = status.generations == experiment().generations;
+  return parts_->Tell(status);
+}
+
+Loaded<Individual> RunStore::Find(int id) {
+  assert(parts_->reader);
+  const Transaction instant(parts_->database);
+  return parts_->Tell(parts_->reader->FindIndividual(id));
+}
+
+Loaded<std::vector<SeasonEvidence>> RunStore::EvidenceOf(int id) {
+  assert(parts_->reader);
+  return parts_->Tell(parts_->reader->FindEvidence(id));
+}
+
+std::vector<Ancestor> RunStore::Parts::FindLineage(int id, int distance) {
+  const Transaction instant(database);
+  std::vector<Ancestor> lineage;
+  std::set<int> seen = {id};
+  std::set<int> level = {id};
+  for (int d = 0; d <= distance && !level.empty(); ++d) {
+    std::set<int> parents;
+    for (const int one : level) {
+      std::optional<Birth> birth = reader->FindBirth(one);
+      if (!birth) {
+        database.Fail(fmt::format("'{}' has no robot {}", path, one));
+        return lineage;
+      }
+      for (const int parent : birth->heritage.parents)
+        if (seen.insert(parent).second) parents.insert(parent);
+      lineage.push_back({d, one, birth->generation, std::move(birth->heritage),
+                         reader->FindFitnesses(one)});
+    }
+    level = std::move(parents);
+  }
+  return lineage;
+}
+
+Loaded<std::vector<Ancestor>> RunStore::Lineage(int id, int distance) {
+  assert(parts_->reader);
+  return parts_->Tell(parts_->FindLineage(id, distance));
+}
+
+Failure RunStore::BeginSession(const SessionStart& start) {
+  assert(parts_->writer);
+  Database& database = parts_->database;
+  const Versions versions = ThisProgram();
+  Statement insert(database,
+                   "INSERT INTO session(started, host, pid, plsc, ode, "
+                   "compiler, machine, jobs) VALUES(?, ?, ?, ?, ?, ?, ?, ?)");
+  insert
+      .With(start.started, HostName(), getpid(), versions.plsc, versions.ode,
+            versions.compiler, versions.machine, start.jobs)
+      .Run();
+  Statement row(database, "SELECT last_insert_rowid()");
+  if (row.With().Next()) parts_->session = row.TakeInteger();
+  return database.TakeFailure();
+}
+
+Failure RunStore::EndSession(const SessionEnd& end) {
+  assert(parts_->writer);
+  Statement update(parts_->database,
+                   "UPDATE session SET ended = ?, how = ?, workers = ?, "
+                   "evaluations = ?, simulated = ?, looked_up = ?, "
+                   "seconds = ?, cpu_seconds = ? WHERE id = ?");
+  update
+      .With(end.ended, end.how, end.workers, end.evaluations, end.simulated,
+            end.looked_up, end.seconds, end.cpu_seconds, parts_->session)
+      .Run();
+  return parts_->database.TakeFailure();
+}
+
+Failure RunStore::OnBirths(const std::vector<Individual>& born) {
+  assert(parts_->writer);
+  return parts_->writer->Births(born);
+}
+
+Failure RunStore::OnEvaluated(const Individual& one,
+                              const std::vector<SeasonEvidence>& evidence) {
+  assert(parts_->writer);
+  return parts_->writer->Evaluated(one, evidence);
+}
+
+Failure RunStore::OnGeneration(const GenerationRecord& record) {
+  assert(parts_->writer);
+  return parts_->writer->Completed(record);
+}
+
+std::optional<Simulated> RunStore::Find(const Key& key) {
+  if (!parts_->reader) return std::nullopt;
+  auto found = parts_->reader->FindSimulation(key);
+  // What cannot be read is simulated again, and fails when it is written.
+  if (parts_->database.TakeFailure()) return std::nullopt;
+  return found;
+}
+
+Failure RunStore::Add(const Key&, const Simulated&) {
+  return std::nullopt;
+}
+
+Versions ThisProgram() {
+  static const std::string machine = MachineKind();  // takes a millisecond
+  return {PLSC_VERSION, PLSC_ODE_VERSION, __VERSION__, machine};
+}
+
+}  // namespace plsc

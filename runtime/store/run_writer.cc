@@ -1,0 +1,311 @@
+#include "runtime/store/run_writer.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <utility>
+
+#include "compiler/print.h"
+#include "runtime/store/genotype_parts.h"
+#include "runtime/store/names.h"
+#include "runtime/store/schema.h"
+
+namespace plsc {
+
+namespace {
+
+std::string Insert(const std::string& table, std::vector<std::string> columns,
+                   const char* conflict = "") {
+  const std::vector<std::string> values(columns.size(), "?");
+  return fmt::format("INSERT INTO {}({}) VALUES({}) {}", table,
+                     fmt::join(columns, ", "), fmt::join(values, ", "),
+                     conflict);
+}
+
+std::vector<std::string> Joined(std::vector<std::string> first,
+                                const std::vector<std::string>& second,
+                                const std::vector<std::string>& third) {
+  first.insert(first.end(), second.begin(), second.end());
+  first.insert(first.end(), third.begin(), third.end());
+  return first;
+}
+
+// -0 is stored as 0.
+std::uint64_t BitsOf(double value) {
+  return std::bit_cast<std::uint64_t>(value == 0 ? 0 : value);
+}
+
+bool IsSame(double a, double b) {
+  return BitsOf(a) == BitsOf(b);
+}
+
+bool IsSame(const std::optional<double>& a, const std::optional<double>& b) {
+  return a.has_value() == b.has_value() && (!a || IsSame(*a, *b));
+}
+
+template <typename Descriptors>
+bool IsSameList(const Descriptors& a, const Descriptors& b) {
+  const auto first = List(a), second = List(b);
+  for (std::size_t i = 0; i < first.size(); ++i)
+    if (!IsSame(first[i].value, second[i].value)) return false;
+  return true;
+}
+
+bool IsSame(const Behaviour& a, const Behaviour& b) {
+  return a.is_valid == b.is_valid && IsSameList(a, b);
+}
+
+bool IsSame(const Simulated& a, const Simulated& b) {
+  return IsSame(a.begin, b.begin) && IsSame(a.inclination, b.inclination) &&
+         a.outcome == b.outcome && a.reason == b.reason &&
+         IsSame(a.behaviour, b.behaviour) && a.state_hash == b.state_hash &&
+         a.steps == b.steps && a.solver_warnings == b.solver_warnings;
+}
+
+bool IsSame(const Heritage& a, const Heritage& b) {
+  return a.parents == b.parents && a.from_second == b.from_second &&
+         a.mutation == b.mutation && a.senses == b.senses;
+}
+
+// Its result says nothing of the phenotype or the simulation, but of a process.
+bool IsLost(const SeasonResult& result) {
+  return result.outcome == Outcome::kWorkerDied;
+}
+
+bool HasSimulation(const SeasonResult& result, const SeasonEvidence& evidence) {
+  return evidence.simulation != Key{} && !IsLost(result);
+}
+
+bool HasPhenotype(const SeasonEvidence& evidence) {
+  return evidence.phenotype != Key{};
+}
+
+/// Whether all that is stored with the phenotype and the simulation is what
+/// the result has.
+bool Explains(const SeasonEvidence& evidence, const SeasonResult& result) {
+  Simulated simulated;
+  if (HasSimulation(result, evidence)) simulated = evidence.simulated;
+  const bool is_simulation_same =
+      IsSame(simulated.behaviour, result.behaviour) &&
+      simulated.state_hash == result.state_hash &&
+      simulated.steps == result.steps &&
+      simulated.solver_warnings == result.solver_warnings;
+  return is_simulation_same && (HasPhenotype(evidence) ||
+                                (IsSameList(BodyDescriptors{}, result.body) &&
+                                 IsSameList(BrainDescriptors{}, result.brain)));
+}
+
+std::optional<std::string> HexOf(const Key& key, bool is_there) {
+  if (!is_there) return std::nullopt;
+  return Hex(key);
+}
+
+template <typename T>
+std::optional<T> At(const std::vector<T>& values, std::size_t i) {
+  if (i >= values.size()) return std::nullopt;
+  return values[i];
+}
+
+}  // namespace
+
+RunWriter::RunWriter(Database& database, RunReader& reader,
+                     std::map<std::string, int> seasons)
+    : database_(database),
+      reader_(reader),
+      seasons_(std::move(seasons)),
+      checksums_(database),
+      header_(database, Insert("header", {"before_name", "after_name"})),
+      find_header_(database,
+                   "SELECT id FROM header "
+                   "WHERE before_name = ? AND after_name = ?"),
+      individual_(database,
+                  Insert("individual",
+                         {"id", "name", "generation", "parent1", "parent2",
+                          "from_second", "mutation", "mutated_rule", "senses",
+                          "header", "checksum"})),
+      sum_individual_(database,
+                      "UPDATE individual SET checksum = ? WHERE id = ?"),
+      rule_(database, Insert("rule", {"text"})),
+      find_rule_(database, "SELECT id FROM rule WHERE text = ?"),
+      genotype_rule_(database, Insert("genotype_rule",
+                                      {"individual", "position", "rule"})),
+      phenotype_(database, Insert("phenotype",
+                                  Joined({"key", "body", "brain"},
+                                         PhenotypeColumns(), {}),
+                                  "ON CONFLICT DO NOTHING")),
+      simulation_(database,
+                  Insert("simulation",
+                         Joined({"key", "begin", "inclination", "outcome",
+                                 "reason", "is_valid"},
+                                BehaviourColumns(),
+                                {"state_hash", "steps", "solver_warnings"}))),
+      evaluation_(
+          database,
+          Insert("evaluation", {"individual", "season", "phenotype",
+                                "simulation", "profile", "begin", "inclination",
+                                "sensed", "sources", "change", "change_reason",
+                                "outcome", "reason", "fitness", "checksum"})),
+      sum_evaluation_(database,
+                      "UPDATE evaluation SET checksum = ? "
+                      "WHERE individual = ? AND season = ?"),
+      generation_(database,
+                  Insert("generation", {"number", "best", "checksum"})),
+      sum_generation_(database,
+                      "UPDATE generation SET checksum = ? WHERE number = ?"),
+      member_(database, Insert("member", {"generation", "individual", "place",
+                                          "count", "survivor"})) {}
+
+RunWriter::Failure RunWriter::Births(const std::vector<Individual>& born) {
+  Transaction transaction(database_);
+  for (const Individual& one : born) {
+    const std::optional<Birth> stored = reader_.FindBirth(one.id);
+    if (!stored) {
+      AddIndividual(one);
+    } else if (stored->generation != one.generation ||
+               stored->name != one.genotype.name ||
+               stored->genotype != Print(one.genotype) ||
+               !IsSame(stored->heritage, one.heritage)) {
+      database_.Fail(fmt::format(
+          "robot {} of '{}' is born otherwise now than it was: the run was "
+          "begun by another version of the program, or on another kind of "
+          "machine",
+          one.id, database_.path()));
+    }
+    if (database_.has_failed()) break;
+  }
+  return transaction.Commit();
+}
+
+void RunWriter::AddIndividual(const Individual& one) {
+  const GenotypeParts parts =
+      SplitGenotype(Print(one.genotype), one.genotype.name);
+  const auto id_of = [](Statement& find, Statement& insert,
+                        const auto&... key) {
+    if (!find.With(key...).Next()) {
+      insert.With(key...).Run();
+      if (!find.With(key...).Next()) return std::int64_t{0};
+    }
+    const std::int64_t id = find.TakeInteger();
+    find.Run();
+    return id;
+  };
+  const Heritage& heritage = one.heritage;
+  const std::int64_t header =
+      id_of(find_header_, header_, parts.before_name, parts.after_name);
+  std::optional<std::string> mutation;
+  std::optional<std::int64_t> mutated_rule;
+  if (heritage.mutation) {
+    mutation = MutationName(heritage.mutation->kind);
+    mutated_rule = static_cast<std::int64_t>(heritage.mutation->rule);
+  }
+  individual_
+      .With(one.id, one.genotype.name, one.generation, At(heritage.parents, 0),
+            At(heritage.parents, 1),
+            HeadsText(heritage.from_second, *one.genotype.alphabet), mutation,
+            mutated_rule, SensesText(heritage.senses), header, 0)
+      .Run();
+  for (std::size_t i = 0; i < parts.rules.size(); ++i)
+    genotype_rule_
+        .With(one.id, static_cast<std::int64_t>(i),
+              id_of(find_rule_, rule_, parts.rules[i]))
+        .Run();
+  sum_individual_.With(checksums_.OfIndividual(one.id), one.id).Run();
+}
+
+RunWriter::Failure RunWriter::Evaluated(
+    const Individual& one, const std::vector<SeasonEvidence>& evidence) {
+  Transaction transaction(database_);
+  const std::vector<SeasonResult>& results = one.evaluation.seasons;
+  for (std::size_t i = 0; i < results.size(); ++i)
+    AddSeason(one.id, results[i],
+              i < evidence.size() ? evidence[i] : SeasonEvidence{});
+  return transaction.Commit();
+}
+
+void RunWriter::AddSeason(int individual, const SeasonResult& result,
+                          const SeasonEvidence& evidence) {
+  const auto season = seasons_.find(result.season);
+  if (season == seasons_.end() || !Explains(evidence, result)) {
+    database_.Fail(fmt::format(
+        "season '{}' of robot {} does not follow from what was simulated",
+        result.season, individual));
+    return;
+  }
+  const bool has_phenotype = HasPhenotype(evidence);
+  const bool has_simulation = HasSimulation(result, evidence);
+  if (has_phenotype) AddPhenotype(result, evidence);
+  if (has_simulation) AddSimulation(evidence);
+  evaluation_
+      .With(individual, season->second,
+            HexOf(evidence.phenotype, has_phenotype),
+            HexOf(evidence.simulation, has_simulation),
+            ProfileName(result.profile), result.begin, result.inclination,
+            SensedText(result.sensed), SourcesText(result.sensed),
+            ChangeName(result.change), result.change_reason,
+            OutcomeName(result.outcome), result.reason, result.fitness, 0)
+      .Run();
+  sum_evaluation_
+      .With(checksums_.OfEvaluation(individual, season->second), individual,
+            season->second)
+      .Run();
+}
+
+void RunWriter::AddPhenotype(const SeasonResult& result,
+                             const SeasonEvidence& evidence) {
+  const std::string key = Hex(evidence.phenotype);
+  phenotype_.With(key, evidence.body, evidence.brain);
+  for (const NamedValue& value : List(result.body)) phenotype_.And(value.value);
+  for (const NamedValue& value : List(result.brain))
+    phenotype_.And(value.value);
+  phenotype_.Run();
+}
+
+void RunWriter::AddSimulation(const SeasonEvidence& evidence) {
+  const Simulated& simulated = evidence.simulated;
+  if (const auto stored = reader_.FindSimulation(evidence.simulation)) {
+    if (!IsSame(*stored, simulated))
+      database_.Fail(fmt::format(
+          "the simulation {} ended otherwise now than it did before: '{}' was "
+          "begun by another version of the program, or on another kind of "
+          "machine",
+          Hex(evidence.simulation), database_.path()));
+    return;
+  }
+  const std::string key = Hex(evidence.simulation);
+  const std::string hash = fmt::format("{:016x}", simulated.state_hash);
+  simulation_.With(key, simulated.begin, simulated.inclination,
+                   OutcomeName(simulated.outcome), simulated.reason,
+                   simulated.behaviour.is_valid ? 1 : 0);
+  for (const NamedValue& value : List(simulated.behaviour)) {
+    if (simulated.behaviour.is_valid)
+      simulation_.And(value.value);
+    else
+      simulation_.And(std::nullopt);
+  }
+  simulation_.And(hash).And(simulated.steps).And(simulated.solver_warnings);
+  simulation_.Run();
+}
+
+RunWriter::Failure RunWriter::Completed(const GenerationRecord& record) {
+  Transaction transaction(database_);
+  std::map<int, std::int64_t> ranks;
+  for (const int id : record.survivors)
+    ranks.emplace(id, static_cast<std::int64_t>(ranks.size()));
+  generation_.With(record.generation, record.best, 0).Run();
+  for (std::size_t i = 0; i < record.pool.size(); ++i) {
+    const auto rank = ranks.find(record.pool[i]);
+    std::optional<std::int64_t> survivor;
+    if (rank != ranks.end()) survivor = rank->second;
+    member_
+        .With(record.generation, record.pool[i], static_cast<std::int64_t>(i),
+              record.counts[i], survivor)
+        .Run();
+  }
+  sum_generation_
+      .With(checksums_.OfGeneration(record.generation), record.generation)
+      .Run();
+  return transaction.Commit();
+}
+
+}  // namespace plsc

@@ -1,0 +1,61 @@
+#pragma once
+
+// The writing side of a run's store: each function is one transaction, which is
+// there as a whole or not at all, and returns what went wrong.
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "runtime/evolve/run_observer.h"
+#include "runtime/store/checksum.h"
+#include "runtime/store/database.h"
+#include "runtime/store/run_reader.h"
+#include "runtime/store/session.h"
+
+namespace plsc {
+
+struct Versions;
+
+class RunWriter {
+ public:
+  using Failure = Database::Failure;
+
+  /// Seasons by name: their ids in the store. `reader` of the same database.
+  RunWriter(Database& database, RunReader& reader,
+            std::map<std::string, int> seasons);
+
+  /// Those that are there already must be the same.
+  Failure Births(const std::vector<Individual>& born);
+  Failure Evaluated(const Individual& one,
+                    const std::vector<SeasonEvidence>& evidence);
+  Failure Completed(const GenerationRecord& record);
+
+ private:
+  void AddIndividual(const Individual& one);
+  void AddSeason(int individual, const SeasonResult& result,
+                 const SeasonEvidence& evidence);
+  void AddPhenotype(const SeasonResult& result, const SeasonEvidence& evidence);
+  void AddSimulation(const SeasonEvidence& evidence);
+
+  Database& database_;
+  RunReader& reader_;
+  std::map<std::string, int> seasons_;
+  Checksums checksums_;
+  Statement header_;
+  Statement find_header_;
+  Statement individual_;
+  Statement sum_individual_;
+  Statement rule_;
+  Statement find_rule_;
+  Statement genotype_rule_;
+  Statement phenotype_;
+  Statement simulation_;
+  Statement evaluation_;
+  Statement sum_evaluation_;
+  Statement generation_;
+  Statement sum_generation_;
+  Statement member_;
+};
+
+}  // namespace plsc

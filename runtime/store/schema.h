@@ -1,0 +1,35 @@
+#pragma once
+
+// The tables of a run: what each column is, in SQL, comments included, so that
+// `sqlite3 run.sqlite .schema` explains the file. docs/runs.md has the same in
+// words. Descriptors are columns under the names of runtime/descriptors.h.
+
+#include <string>
+#include <vector>
+
+namespace plsc {
+
+/// "plsc" in a file's header: PRAGMA application_id.
+inline constexpr int kApplicationId = 0x706c7363;
+/// PRAGMA user_version. To be raised by 1 at every change of the schema.
+inline constexpr int kSchemaVersion = 1;
+
+struct SchemaItem {
+  std::string name;
+  std::string sql;
+  bool is_table = true;  ///< or a view
+  /// Of a table: a function of the experiment and the versions alone; else it
+  /// depends on the clock or the machine.
+  bool is_result = true;
+  /// Columns that order its rows, whatever the order of writing.
+  std::string order;
+};
+
+/// Tables before what refers to them, views last.
+const std::vector<SchemaItem>& Schema();
+
+/// Names of descriptors as columns, "branching, branching_modules_count, ...".
+std::vector<std::string> PhenotypeColumns();  ///< body, then brain
+std::vector<std::string> BehaviourColumns();
+
+}  // namespace plsc
