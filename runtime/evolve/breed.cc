@@ -61,14 +61,14 @@ Individual CreateChild(const Experiment& experiment, int generation, int id,
   child.heritage.parents = {first.id, second.id};
   if (experiment.inheritance == Inheritance::kSenses)
     child.heritage.senses = LastSenses(first);
-  child.genotype = HandedDown(first, experiment.inheritance);
+  child.genotype = HandedDown(first, experiment);
   rng = stream(Purpose::kCrossover);
   if (rng.Bernoulli(experiment.crossover)) {
     const Alphabet& alphabet = *child.genotype.alphabet;
     const std::vector<bool> choices = DrawCrossover(alphabet, rng);
     child.heritage.from_second = HeadsFromSecond(alphabet, choices);
-    child.genotype = Cross(child.genotype,
-                           HandedDown(second, experiment.inheritance), choices);
+    child.genotype =
+        Cross(child.genotype, HandedDown(second, experiment), choices);
   }
   rng = stream(Purpose::kMutate);
   if (rng.Bernoulli(experiment.mutation)) {

@@ -1,41 +1,32 @@
 #include "runtime/evolve/inherit.h"
 
-#include <optional>
+#include <algorithm>
 #include <utility>
 #include <vector>
 
-#include "runtime/environment.h"
 #include "runtime/regulate.h"
+#include "runtime/season_teller.h"
 
 namespace plsc {
 
 namespace {
 
-/// Nothing if a state is missing.
-std::optional<Environment> EnvironmentOf(
-    const std::map<std::string, std::string>& senses,
-    const std::vector<State>& states) {
-  Environment environment;
-  for (const State& state : states) {
-    const auto sensed = senses.find(state.name);
-    if (sensed == senses.end()) return std::nullopt;
-    const std::optional<double> value = ParseStateValue(sensed->second, state);
-    if (!value) return std::nullopt;
-    environment.values.push_back(*value);
-  }
-  return environment;
+/// Nothing is sensed in seasons that were not reached.
+const SeasonResult* LastReached(const Individual& parent) {
+  const std::vector<SeasonResult>& seasons = parent.evaluation.seasons;
+  const auto last = std::find_if(
+      seasons.rbegin(), seasons.rend(),
+      [](const SeasonResult& season) { return !season.sensed.empty(); });
+  return last == seasons.rend() ? nullptr : &*last;
 }
 
 }  // namespace
 
-std::map<std::string, std::string> LastSenses(const Individual& parent) {
-  std::map<std::string, std::string> senses;
-  const std::vector<SeasonResult>& seasons = parent.evaluation.seasons;
-  for (auto season = seasons.rbegin(); season != seasons.rend(); ++season) {
+Senses LastSenses(const Individual& parent) {
+  Senses senses;
+  if (const SeasonResult* season = LastReached(parent))
     for (const SensedState& state : season->sensed)
       senses[state.name] = state.value;
-    if (!senses.empty()) break;
-  }
   return senses;
 }
 
@@ -56,11 +47,17 @@ Genotype WithJoinedRules(Genotype genotype, const Environment& environment) {
   return genotype;
 }
 
-Genotype HandedDown(const Individual& parent, Inheritance inheritance) {
-  if (inheritance != Inheritance::kJoined) return parent.genotype;
-  const std::optional<Environment> last =
-      EnvironmentOf(LastSenses(parent), parent.genotype.states);
-  return last ? WithJoinedRules(parent.genotype, *last) : parent.genotype;
+Genotype HandedDown(const Individual& parent, const Experiment& experiment) {
+  const SeasonResult* season =
+      experiment.scenario.plasticity == Plasticity::kLifelong
+          ? LastReached(parent)
+          : &parent.evaluation.seasons.front();
+  const std::vector<State>& states = parent.genotype.states;
+  if (experiment.inheritance != Inheritance::kJoined || season == nullptr ||
+      season->sensed.size() != states.size())
+    return parent.genotype;
+  return WithJoinedRules(parent.genotype,
+                         EnvironmentOf(season->sensed, states));
 }
 
 }  // namespace plsc

@@ -42,6 +42,12 @@ Individual HavingLived(Genotype genotype, const std::string& first,
   return one;
 }
 
+Experiment With(Inheritance inheritance) {
+  Experiment experiment;
+  experiment.inheritance = inheritance;
+  return experiment;
+}
+
 struct Lengths {
   double mean = 0;
   double longest = 0;
@@ -49,11 +55,11 @@ struct Lengths {
 
 /// Of the rules that a population hands down.
 Lengths LengthsOf(const std::vector<Individual>& population,
-                  Inheritance inheritance) {
+                  const Experiment& experiment) {
   Lengths lengths;
   double rules = 0;
   for (const Individual& one : population) {
-    for (const Rule& rule : HandedDown(one, inheritance).rules) {
+    for (const Rule& rule : HandedDown(one, experiment).rules) {
       const auto length = static_cast<double>(rule.production.size());
       lengths.mean += length;
       lengths.longest = std::max(lengths.longest, length);
@@ -81,8 +87,7 @@ std::vector<Lengths> Drift(Experiment experiment, int generations) {
     population.push_back(CreateFirst(experiment, id));
   live(population);
   const std::vector<int> scores(population.size(), 0);
-  std::vector<Lengths> history = {
-      LengthsOf(population, experiment.inheritance)};
+  std::vector<Lengths> history = {LengthsOf(population, experiment)};
   int id = experiment.population;
   for (int g = 1; g <= generations; ++g) {
     std::vector<Individual> children;
@@ -90,7 +95,7 @@ std::vector<Lengths> Drift(Experiment experiment, int generations) {
       children.push_back(CreateChild(experiment, g, ++id, population, scores));
     live(children);
     population = std::move(children);
-    history.push_back(LengthsOf(population, experiment.inheritance));
+    history.push_back(LengthsOf(population, experiment));
   }
   return history;
 }
@@ -195,9 +200,9 @@ TEST_CASE("The first active rule becomes what the active ones are joined to",
     DYNAMIC_SECTION(row.why) {
       const Individual one = HavingLived(Compiled(row.rules), "False", "True");
       const Genotype expected = Compiled(row.expected);
-      CHECK(HandedDown(one, Inheritance::kJoined) == expected);
-      CHECK(HandedDown(one, Inheritance::kGenotype) == one.genotype);
-      CHECK(HandedDown(one, Inheritance::kSenses) == one.genotype);
+      CHECK(HandedDown(one, With(Inheritance::kJoined)) == expected);
+      CHECK(HandedDown(one, With(Inheritance::kGenotype)) == one.genotype);
+      CHECK(HandedDown(one, With(Inheritance::kSenses)) == one.genotype);
       CHECK(Verify(expected).empty());
     }
   }
@@ -209,13 +214,26 @@ TEST_CASE("The last season that was reached counts", "[inherit]") {
                 "B -> if inclined = False then { B }"});
   Individual one = HavingLived(genotype, "False", "True");
   CHECK(LastSenses(one).at("inclined") == "True");
-  CHECK(HandedDown(one, Inheritance::kJoined) == genotype);
+  CHECK(HandedDown(one, With(Inheritance::kJoined)) == genotype);
   one.evaluation.seasons[1].sensed.clear();  // a life that ended before
   CHECK(LastSenses(one).at("inclined") == "False");
-  CHECK(HandedDown(one, Inheritance::kJoined).rules[1].production.size() == 2);
+  CHECK(
+      HandedDown(one, With(Inheritance::kJoined)).rules[1].production.size() ==
+      2);
   one.evaluation.seasons[0].sensed.clear();  // its worker died
   CHECK(LastSenses(one).empty());
-  CHECK(HandedDown(one, Inheritance::kJoined) == genotype);
+  CHECK(HandedDown(one, With(Inheritance::kJoined)) == genotype);
+}
+
+TEST_CASE("Without plasticity after birth, rules are joined as at birth",
+          "[inherit]") {
+  const Genotype genotype =
+      Compiled({"C -> { C B }", "B -> if inclined = False then { T(0.5) }",
+                "B -> if inclined = False then { B }"});
+  const Individual one = HavingLived(genotype, "False", "True");
+  Experiment experiment = With(Inheritance::kJoined);
+  experiment.scenario.plasticity = Plasticity::kMorphogenesis;
+  CHECK(HandedDown(one, experiment).rules[1].production.size() == 2);
 }
 
 TEST_CASE("Joined rules develop the same robot the first time, not the second",
@@ -288,11 +306,10 @@ TEST_CASE("Children inherit what the experiment says", "[inherit]") {
     const Individual child = CreateChild(experiment, 1, 3, population, {0, 0});
     const auto first = static_cast<std::size_t>(child.heritage.parents[0] - 1);
     CHECK(child.genotype.rules ==
-          HandedDown(population[first], inheritance).rules);
-    const std::map<std::string, std::string> expected = {{"inclined", "True"}};
-    CHECK(child.heritage.senses == (inheritance == Inheritance::kSenses
-                                        ? expected
-                                        : decltype(expected){}));
+          HandedDown(population[first], experiment).rules);
+    const Senses expected = {{"inclined", "True"}};
+    CHECK(child.heritage.senses ==
+          (inheritance == Inheritance::kSenses ? expected : Senses{}));
   }
 }
 
@@ -308,7 +325,7 @@ TEST_CASE("Crossover takes joined rules of both parents", "[inherit]") {
     population.push_back(
         HavingLived(CreateFirst(experiment, id).genotype, "False", "True"));
     population.back().id = id;
-    joined.push_back(HandedDown(population.back(), Inheritance::kJoined));
+    joined.push_back(HandedDown(population.back(), experiment));
   }
   bool is_grown_from_second = false;
   for (int id = 3; id < 40; ++id) {
