@@ -28,7 +28,8 @@ class NewFile {
   explicit NewFile(std::string path)
       : path_(std::move(path)),
         beside_(path_ + ".new"),
-        file_(beside_, std::ios::binary | std::ios::trunc) {}
+        file_(beside_, std::ios::binary | std::ios::trunc),
+        error_(file_ ? 0 : errno) {}
   ~NewFile() {
     std::error_code ignored;
     if (!is_done_) std::filesystem::remove(beside_, ignored);
@@ -55,12 +56,14 @@ class NewFile {
     return Explain();
   }
   Failure Explain() const {
-    return fmt::format("cannot write to '{}': {}", path_, SystemReason(errno));
+    return fmt::format("cannot write to '{}': {}", path_,
+                       SystemReason(error_ != 0 ? error_ : errno));
   }
 
   std::string path_;
   std::string beside_;
   std::ofstream file_;
+  int error_ = 0;  // of opening it
   bool is_done_ = false;
 };
 
