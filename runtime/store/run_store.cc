@@ -248,6 +248,16 @@ Loaded<Individual> RunStore::Find(int id) {
   return parts_->Tell(parts_->reader->FindIndividual(id));
 }
 
+Loaded<std::vector<int>> RunStore::EvaluatedIds() {
+  assert(parts_->reader);
+  const Transaction instant(parts_->database);
+  std::vector<int> ids;
+  Statement evaluated(parts_->database,
+                      "SELECT DISTINCT individual FROM evaluation ORDER BY 1");
+  for (evaluated.With(); evaluated.Next();) ids.push_back(evaluated.TakeInt());
+  return parts_->Tell(ids);
+}
+
 Loaded<std::vector<SeasonEvidence>> RunStore::EvidenceOf(int id) {
   assert(parts_->reader);
   return parts_->Tell(parts_->reader->FindEvidence(id));

@@ -83,6 +83,8 @@ class RunStore : public RunObserver, public SimulationCache {
   /// With its evaluation, if it has one, every field as it was, bit for bit
   /// (but that -0 became 0).
   Loaded<Individual> Find(int id);
+  /// Everybody who was evaluated, in order of id.
+  Loaded<std::vector<int>> EvaluatedIds();
   /// Those behind Find(id).evaluation: keys, body and brain.
   Loaded<std::vector<SeasonEvidence>> EvidenceOf(int id);
   /// `id` itself, its parents, theirs ... up to `distance` births away: by
