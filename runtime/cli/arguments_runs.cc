@@ -17,9 +17,10 @@ void AddResuming(CLI::App* sub, EvolveCommand& command) {
   sub->add_flag("--or-resume", command.or_resume,
                 "if the output exists already, go on with it (it must be of "
                 "the same experiment and seed)");
-  sub->add_flag("--allow-other-version", command.allow_other_version,
-                "go on with a run that another version of plsc, or another kind "
-                "of machine, began");
+  sub->add_flag(
+      "--allow-other-version", command.allow_other_version,
+      "go on with a run that another version of plsc, or another kind "
+      "of machine, began");
 }
 
 void AddWorkers(CLI::App* sub, EvolveCommand& command) {

@@ -58,12 +58,10 @@ Failure Prepare(const RunRequest& request, RunStore& store) {
   const bool exists = std::filesystem::exists(request.path);
   if (request.experiment && !(request.may_resume && exists))
     return store.Create(request.path, *request.experiment);
-  if (Failure failure =
-          store.Open(request.path, request.allow_other_version))
+  if (Failure failure = store.Open(request.path, request.allow_other_version))
     return failure;
-  if (request.experiment &&
-      PrintExperiment(*request.experiment) !=
-          PrintExperiment(store.experiment()))
+  if (request.experiment && PrintExperiment(*request.experiment) !=
+                                PrintExperiment(store.experiment()))
     return fmt::format(
         "'{}' is a run of another experiment or seed: choose another name, or "
         "`plsc evolve --resume {}` to go on with it as it is",
@@ -111,8 +109,9 @@ void Live(const RunRequest& request, RunStore& store, SharedCache* cache,
   effort.cpu_seconds = children + CpuSeconds(RUSAGE_SELF) - own_before;
   // Workers are children that have ended when the run returns, so their CPU
   // time over what they could have had is how busy they were.
-  effort.busy_share =
-      children / (effort.seconds * std::max(effort.workers, 1));
+  if (request.mpi == nullptr)
+    effort.busy_share =
+        children / (effort.seconds * std::max(effort.workers, 1));
   effort.evaluations = outcome.result.evaluations - done_before;
   effort.counts = outcome.result.counts_of_work;
 }
@@ -122,8 +121,7 @@ SessionEnd EndOf(const RunOutcome& outcome) {
   SessionEnd end;
   end.ended = UtcNow();
   end.how = EndingName(outcome.result.ending);
-  if (!outcome.result.failure.empty())
-    end.how += ": " + outcome.result.failure;
+  if (!outcome.result.failure.empty()) end.how += ": " + outcome.result.failure;
   end.workers = effort.workers;
   end.evaluations = effort.evaluations;
   end.simulated = effort.counts.simulations;
