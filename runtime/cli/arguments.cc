@@ -124,6 +124,8 @@ Command ParseArguments(const std::vector<std::string>& arguments) {
   RegulateCommand regulate;
   SimulateCommand simulate;
   EvolveCommand evolve;
+  ReplayCommand replay;
+  ShowCommand show;
   RandomCommand random;
   WhyCommand why;
   TestCommand test;
@@ -136,6 +138,8 @@ Command ParseArguments(const std::vector<std::string>& arguments) {
   const CLI::App* regulate_app = AddRegulate(app, regulate);
   const CLI::App* simulate_app = AddSimulate(app, simulate);
   const CLI::App* evolve_app = AddEvolve(app, evolve);
+  const CLI::App* show_app = AddShow(app, show);
+  const CLI::App* replay_app = AddReplay(app, replay);
   const CLI::App* why_app = AddWhy(app, why);
   const CLI::App* test_app = AddTest(app, test);
 
@@ -162,6 +166,8 @@ Command ParseArguments(const std::vector<std::string>& arguments) {
   if (regulate_app->parsed()) return regulate;
   if (simulate_app->parsed()) return simulate;
   if (evolve_app->parsed()) return evolve;
+  if (show_app->parsed()) return show;
+  if (replay_app->parsed()) return replay;
   if (why_app->parsed()) return why;
   if (test_app->parsed()) return test;
   return random;

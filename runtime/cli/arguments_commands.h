@@ -20,6 +20,8 @@ CLI::App* AddFix(CLI::App& app, FixCommand& command);
 CLI::App* AddFmt(CLI::App& app, FmtCommand& command);
 CLI::App* AddLint(CLI::App& app, LintCommand& command);
 CLI::App* AddRandom(CLI::App& app, RandomCommand& command);
+CLI::App* AddReplay(CLI::App& app, ReplayCommand& command);
+CLI::App* AddShow(CLI::App& app, ShowCommand& command);
 CLI::App* AddRegulate(CLI::App& app, RegulateCommand& command);
 CLI::App* AddSimulate(CLI::App& app, SimulateCommand& command);
 CLI::App* AddTest(CLI::App& app, TestCommand& command);

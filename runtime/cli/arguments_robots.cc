@@ -50,33 +50,6 @@ CLI::App* AddDevelop(CLI::App& app, DevelopCommand& command) {
   return sub;
 }
 
-CLI::App* AddEvolve(CLI::App& app, EvolveCommand& command) {
-  CLI::App* sub = app.add_subcommand(
-      "evolve", "Evolve robots as an experiment file describes");
-  sub->add_option("EXPERIMENT", command.experiment,
-                  "YAML file; every key has the paper's value as default")
-      ->required();
-  sub->add_option("-o,--output", command.output,
-                  "folder to make for the results; must not exist")
-      ->required()
-      ->option_text("FOLDER");
-  sub->add_option("--seed", command.seed, "instead of the experiment's seed")
-      ->check(CLI::NonNegativeNumber)
-      ->option_text("N");
-  sub->add_option("--jobs", command.jobs,
-                  "worker processes (default: one a core); changes no result")
-      ->check(CLI::Range(1, 1024))
-      ->option_text("N");
-  sub->add_flag("--quiet", command.quiet, "no progress line");
-  AddFormat(sub, command.format, "the best robot and the figures of the run");
-  sub->footer(
-      "Prints a progress line and, at the end, the best robot's genotype and "
-      "bodies.\nThe same experiment and seed give the same results, bit for "
-      "bit, whatever the\nnumber of workers. Ctrl-C stops cleanly.\n\n"
-      "  plsc evolve examples/small.yaml -o run1 --seed 7");
-  return sub;
-}
-
 CLI::App* AddRandom(CLI::App& app, RandomCommand& command) {
   CLI::App* sub = app.add_subcommand(
       "random", "Write a random genotype, as evolution begins with");

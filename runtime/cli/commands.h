@@ -86,11 +86,33 @@ struct SimulateCommand {
 };
 
 struct EvolveCommand {
-  std::string experiment;
-  std::string output;
+  std::string experiment;  ///< empty: `resume` is not
+  std::string output;      ///< likewise
+  std::string resume;      ///< the store of a run to go on with
+  bool or_resume = false;  ///< goes on if `output` exists
+  bool allow_other_version = false;
   std::optional<std::uint64_t> seed;
   std::optional<int> jobs;
+  std::optional<double> hang_limit;  ///< s
+  std::string cache;                 ///< a file; empty: none
+  std::string json_log;              ///< a file or "-"; empty: none
   bool quiet = false;
+  OutputFormat format = OutputFormat::kText;
+};
+
+struct ShowCommand {
+  std::string run;
+  std::string individual;  ///< an id or "best"; empty: the run as a whole
+  int lineage = 3;         ///< births back
+  bool genotype = false;   ///< its text and nothing else
+  OutputFormat format = OutputFormat::kText;
+};
+
+struct ReplayCommand {
+  std::string run;
+  std::vector<std::string> individuals;  ///< ids or "best"
+  bool all = false;
+  std::optional<int> jobs;
   OutputFormat format = OutputFormat::kText;
 };
 
@@ -134,8 +156,8 @@ struct Answer {
 using Command =
     std::variant<Answer, CheckCommand, DevelopCommand, EvolveCommand,
                  ExplainCommand, FixCommand, FmtCommand, LintCommand,
-                 RandomCommand, RegulateCommand, SimulateCommand, TestCommand,
-                 WhyCommand>;
+                 RandomCommand, RegulateCommand, ReplayCommand, ShowCommand,
+                 SimulateCommand, TestCommand, WhyCommand>;
 
 /// `arguments` without the program's name.
 Command ParseArguments(const std::vector<std::string>& arguments);
@@ -148,6 +170,8 @@ Exit Run(const FmtCommand& command, Io& io);
 Exit Run(const DevelopCommand& command, Io& io);
 Exit Run(const LintCommand& command, Io& io);
 Exit Run(const RegulateCommand& command, Io& io);
+Exit Run(const ReplayCommand& command, Io& io);
+Exit Run(const ShowCommand& command, Io& io);
 Exit Run(const SimulateCommand& command, Io& io);
 Exit Run(const EvolveCommand& command, Io& io);
 Exit Run(const RandomCommand& command, Io& io);

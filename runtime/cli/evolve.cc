@@ -1,83 +1,38 @@
 #include <fmt/format.h>
-#include <sys/resource.h>
 
 #include <nlohmann/json.hpp>
 #include <ostream>
 
 #include "compiler/print.h"
 #include "runtime/cli/commands.h"
-#include "runtime/cli/interrupt.h"
 #include "runtime/cli/load_yaml.h"
+#include "runtime/cli/open_run.h"
 #include "runtime/cli/progress.h"
-#include "runtime/develop.h"
-#include "runtime/evolve/evolve.h"
-#include "runtime/evolve/run_log.h"
-#include "runtime/formats/body_text.h"
-#include "runtime/season_teller.h"
+#include "runtime/cli/robot_text.h"
+#include "runtime/cli/run_experiment.h"
+#include "runtime/evolve/judge.h"
 
 namespace plsc::cli {
 
 namespace {
 
-double ChildrenCpuSeconds() {
-  rusage usage{};
-  ::getrusage(RUSAGE_CHILDREN, &usage);
-  const auto seconds = [](const timeval& t) {
-    return static_cast<double>(t.tv_sec) +
-           1e-6 * static_cast<double>(t.tv_usec);
-  };
-  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
-}
-
-// Workers are children that have ended when the run returns, so their CPU
-// time over what they could have had is how busy they were.
-struct Effort {
-  double seconds = 0;
-  double busy_share = 0;
-  int workers = 0;
-};
-
-void PrintSeason(const SeasonResult& result, std::ostream& out) {
-  constexpr double kCentimetres = 100;
-  out << fmt::format("season {}: ", result.season);
-  if (!result.behaviour.is_valid) {
-    out << OutcomeName(result.outcome) << ": " << result.reason << '\n';
-    return;
-  }
-  out << fmt::format("speed {:.3f} cm/s, balance {:.4f}, {} modules\n",
-                     kCentimetres * result.behaviour.displacement_velocity_hill,
-                     result.behaviour.head_balance, result.body.absolute_size);
-}
-
-void PrintBest(const Individual& best, const Scenario& scenario,
+void PrintJson(const EvolveCommand& command, const RunOutcome& outcome,
                std::ostream& out) {
-  out << fmt::format("best robot: {} of generation {}\n\n{}\n",
-                     best.genotype.name, best.generation, Print(best.genotype));
-  for (std::size_t i = 0; i < scenario.seasons.size(); ++i) {
-    PrintSeason(best.evaluation.seasons[i], out);
-    const SeasonResult& season = best.evaluation.seasons[i];
-    // Nothing was sensed where a life did not reach.
-    if (season.sensed.size() != best.genotype.states.size()) continue;
-    if (const auto phenotype = Develop(
-            best.genotype, EnvironmentOf(season.sensed, best.genotype.states)))
-      out << BodyText(phenotype->body);
-    out << '\n';
-  }
-}
-
-void PrintJson(const EvolveCommand& command, const Experiment& experiment,
-               const RunResult& result, const Effort& effort,
-               std::ostream& out) {
+  const auto& [exit, is_locked, experiment, result, effort] = outcome;
   nlohmann::ordered_json json;
   json["experiment"] = experiment.name;
   json["seed"] = experiment.seed;
   json["finished"] = result.ending == Ending::kFinished;
   json["generations"] = result.generations;
   json["evaluations"] = result.evaluations;
-  json["folder"] = command.output;
+  json["run"] = command.resume.empty() ? command.output : command.resume;
   json["seconds"] = effort.seconds;
+  json["cpu_seconds"] = effort.cpu_seconds;
   json["workers"] = effort.workers;
   json["busy_share"] = effort.busy_share;
+  json["simulations"] = effort.counts.simulations;
+  json["looked_up"] = effort.counts.looked_up;
+  json["simulated_seconds"] = effort.counts.simulated_seconds;
   if (result.best) {
     json["best"]["id"] = result.best->id;
     json["best"]["genotype"] = Print(result.best->genotype);
@@ -89,77 +44,85 @@ void PrintJson(const EvolveCommand& command, const Experiment& experiment,
   out << json.dump() << '\n';
 }
 
-void PrintEffort(const RunResult& result, const Effort& effort, Io& io) {
+void PrintEffort(const Effort& effort, Io& io) {
+  const JudgingCounts& counts = effort.counts;
+  const auto seasons = counts.simulations + counts.looked_up;
   io.err << fmt::format(
-      "{} evaluations in {} ({:.1f}/s), {} workers {:.0f} % busy\n",
-      result.evaluations, DurationText(effort.seconds),
-      static_cast<double>(result.evaluations) / effort.seconds, effort.workers,
-      100 * effort.busy_share);
+      "{} evaluations in {} ({:.1f}/s), {:.0f} x real time, {:.0f} % of "
+      "seasons known already, {} workers {:.0f} % busy\n",
+      effort.evaluations, DurationText(effort.seconds),
+      static_cast<double>(effort.evaluations) / effort.seconds,
+      counts.simulated_seconds / effort.seconds,
+      seasons == 0 ? 0.0
+                   : 100.0 * static_cast<double>(counts.looked_up) /
+                         static_cast<double>(seasons),
+      effort.workers, 100 * effort.busy_share);
 }
 
-Exit ExitOf(const RunResult& result, const std::string& folder, Io& io) {
-  switch (result.ending) {
-    case Ending::kFinished:
-      return Exit::kFine;
-    case Ending::kStopped:
-      io.err << fmt::format(
-          "stopped after {} generations; what was done is in {}\n",
-          result.generations, folder);
-      return Exit::kInterrupted;
-    case Ending::kFailed:
-      io.err << fmt::format("error: {}\n", result.failure);
-      return Exit::kBadInput;
+/// What is asked for; nothing if the experiment is wrong, which was printed.
+std::optional<RunRequest> RequestOf(const EvolveCommand& command, Io& io) {
+  RunRequest request;
+  if (command.resume.empty()) {
+    request.experiment = LoadExperiment(command.experiment, io);
+    if (!request.experiment) return std::nullopt;
+    if (command.seed) request.experiment->seed = *command.seed;
+    request.path = command.output;
+    request.may_resume = command.or_resume;
+  } else {
+    request.path = command.resume;
   }
-  return Exit::kBadInput;
+  request.allow_other_version = command.allow_other_version;
+  request.jobs = command.jobs;
+  request.hang_seconds = command.hang_limit;
+  request.cache = command.cache;
+  request.json_log = command.json_log;
+  request.quiet = command.quiet;
+  return request;
 }
 
-RunResult RunExperiment(const EvolveCommand& command,
-                        const Experiment& experiment, RunLog& log,
-                        Effort& effort, Io& io) {
-  ProgressLine line(io.err, io.err_is_terminal, experiment.generations);
-  EvolveOptions options;
-  options.jobs = command.jobs.value_or(0);
-  const InterruptHandler handler;
-  options.should_stop = [] { return InterruptHandler::is_interrupted(); };
-  options.on_progress = [&](const Progress& progress) {
-    effort.workers = progress.workers;
-    if (!command.quiet) line.Show(progress);
-  };
-  options.observers = {&log};
-  const double cpu_before = ChildrenCpuSeconds();
-  RunResult result = Evolve(experiment, options);
-  line.Finish();
-  effort.seconds = line.seconds();
-  effort.busy_share = (ChildrenCpuSeconds() - cpu_before) /
-                      (effort.seconds * std::max(effort.workers, 1));
-  return result;
+/// Where and what to run, given on the command line in one of two ways.
+std::optional<std::string> WrongUsage(const EvolveCommand& command) {
+  const bool is_new = !command.experiment.empty() || !command.output.empty();
+  if (!command.resume.empty() && (is_new || command.seed))
+    return "--resume RUN goes on with what the run is of; it takes neither an "
+           "experiment nor --output nor --seed";
+  if (!command.resume.empty()) return std::nullopt;
+  if (command.experiment.empty())
+    return "expected EXPERIMENT, a YAML file, or --resume RUN";
+  if (command.output.empty()) return "expected --output RUN, a file to make";
+  return std::nullopt;
 }
 
 }  // namespace
 
 Exit Run(const EvolveCommand& command, Io& io) {
-  auto experiment = LoadExperiment(command.experiment, io);
-  if (!experiment) return Exit::kBadInput;
-  if (command.seed) experiment->seed = *command.seed;
-
-  RunLog log;
-  if (const auto failure = log.Create(command.output, *experiment)) {
-    io.err << fmt::format("error: {}\n", *failure);
-    return Exit::kBadInput;
+  if (const auto wrong = WrongUsage(command)) {
+    io.err << fmt::format("plsc evolve: {}\nsee 'plsc evolve --help'\n",
+                          *wrong);
+    return Exit::kBadUsage;
   }
-  Effort effort;
-  RunResult result = RunExperiment(command, *experiment, log, effort, io);
-  if (const auto failure = log.Finish(result);
-      failure && result.ending != Ending::kFailed) {
-    result.ending = Ending::kFailed;
-    result.failure = *failure;
+  MpiSession session;
+  if (MpiSession::IsUnderMpi()) {
+    if (const auto failure = session.Join(command.jobs.value_or(1), WorkFor))
+      return Complain(*failure, io);
+    if (session.rank() != 0) return session.Serve(), Exit::kFine;
   }
-  if (!command.quiet) PrintEffort(result, effort, io);
-  if (command.format == OutputFormat::kJson)
-    PrintJson(command, *experiment, result, effort, io.out);
-  else if (result.best)
-    PrintBest(*result.best, experiment->scenario, io.out);
-  return ExitOf(result, command.output, io);
+  std::optional<RunRequest> request = RequestOf(command, io);
+  if (!request) return Exit::kBadInput;
+  if (MpiSession::IsUnderMpi()) request->mpi = &session;
+  const RunOutcome outcome = ExecuteRun(*request, io);
+  if (outcome.exit == Exit::kBadInput && outcome.result.generations == 0)
+    return outcome.exit;
+  if (!command.quiet) PrintEffort(outcome.effort, io);
+  if (command.format == OutputFormat::kJson) {
+    PrintJson(command, outcome, io.out);
+  } else if (outcome.result.best) {
+    const Individual& best = *outcome.result.best;
+    io.out << fmt::format("best robot: {} of generation {}\n\n{}\n{}",
+                          best.genotype.name, best.generation,
+                          Print(best.genotype), SeasonsText(best));
+  }
+  return outcome.exit;
 }
 
 }  // namespace plsc::cli

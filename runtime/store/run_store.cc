@@ -56,7 +56,8 @@ Failure CheckVersions(const std::string& path, const Versions& versions) {
     if (then == now) return std::nullopt;
     return fmt::format(
         "'{}' was begun with {} {}, and this is {}: to go on would not give "
-        "the results of a run that was never interrupted",
+        "the results of a run that was never interrupted (where that does not "
+        "matter: --allow-other-version)",
         path, what, then, now);
   };
   if (auto failure = differs("plsc", versions.plsc, own.plsc)) return failure;
@@ -152,7 +153,7 @@ Failure RunStore::Create(const std::string& path, const Experiment& experiment,
   return failure;
 }
 
-Failure RunStore::Open(const std::string& path) {
+Failure RunStore::Open(const std::string& path, bool any_version) {
   parts_ = std::make_unique<Parts>();
   parts_->path = path;
   // What is no file at all is not worth a lock.
@@ -161,7 +162,7 @@ Failure RunStore::Open(const std::string& path) {
   parts_ = std::make_unique<Parts>();
   parts_->path = path;
   if (!failure) failure = parts_->lock.Take(path);
-  if (!failure) failure = CheckVersions(path, versions);
+  if (!failure && !any_version) failure = CheckVersions(path, versions);
   if (!failure) failure = Examine(path).problem;
   if (!failure) failure = parts_->Connect(Database::Mode::kWrite);
   if (failure) parts_ = std::make_unique<Parts>();
@@ -246,6 +247,16 @@ Loaded<Individual> RunStore::Find(int id) {
   assert(parts_->reader);
   const Transaction instant(parts_->database);
   return parts_->Tell(parts_->reader->FindIndividual(id));
+}
+
+Loaded<std::vector<int>> RunStore::EvaluatedIds() {
+  assert(parts_->reader);
+  const Transaction instant(parts_->database);
+  std::vector<int> ids;
+  Statement evaluated(parts_->database,
+                      "SELECT DISTINCT individual FROM evaluation ORDER BY 1");
+  for (evaluated.With(); evaluated.Next();) ids.push_back(evaluated.TakeInt());
+  return parts_->Tell(ids);
 }
 
 Loaded<std::vector<SeasonEvidence>> RunStore::EvidenceOf(int id) {

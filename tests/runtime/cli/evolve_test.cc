@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
+#include "runtime/store/result_dump.h"
 #include "tests/runtime/cli/run_plsc.h"
 
 namespace plsc {
@@ -32,7 +33,7 @@ TEST_CASE("evolve runs both encodings to the end", "[evolve]") {
     INFO(encoding);
     const test::TemporaryFolder folder;
     const std::string file = folder.Write("e.yaml", Experiment(encoding));
-    const auto ran = RunPlsc({"evolve", file, "-o", folder / "run", "--jobs",
+    const auto ran = RunPlsc({"evolve", file, "-o", folder / "run.sqlite", "--jobs",
                               "2", "--format", "json"});
     INFO(ran.err);
     REQUIRE(ran.exit == 0);
@@ -41,7 +42,8 @@ TEST_CASE("evolve runs both encodings to the end", "[evolve]") {
     CHECK(summary["generations"] == 3);
     CHECK(summary["evaluations"] == 18);
     const std::string best = summary["best"]["genotype"];
-    CHECK(best == ReadFile(folder.path() / "run" / "best.pls"));
+    CHECK(best ==
+          RunPlsc({"show", folder / "run.sqlite", "best", "--genotype"}).out);
     CHECK(RunPlsc({"check", "-"}, best).exit == 0);
     CHECK(ran.err.find("generation 3/3") != std::string::npos);
   }
@@ -50,7 +52,7 @@ TEST_CASE("evolve runs both encodings to the end", "[evolve]") {
 TEST_CASE("evolve prints the best robot's genotype and bodies", "[evolve]") {
   const test::TemporaryFolder folder;
   const std::string file = folder.Write("e.yaml", Experiment("plasticoding"));
-  const auto ran = RunPlsc({"evolve", file, "-o", folder / "run", "--quiet"});
+  const auto ran = RunPlsc({"evolve", file, "-o", folder / "run.sqlite", "--quiet"});
   REQUIRE(ran.exit == 0);
   CHECK(ran.err.empty());
   CHECK(ran.out.find("best robot: robot_") == 0);
@@ -59,39 +61,104 @@ TEST_CASE("evolve prints the best robot's genotype and bodies", "[evolve]") {
   CHECK(ran.out.find("│ C 1 │") != std::string::npos);
 }
 
-TEST_CASE("the number of workers changes no byte of a run", "[evolve]") {
+std::string Dump(const std::string& path) {
+  const Loaded<std::string> dump = DumpResults(path);
+  REQUIRE(dump);
+  return *dump;
+}
+
+TEST_CASE("the number of workers changes no bit of a run", "[evolve]") {
   const test::TemporaryFolder folder;
   const std::string file = folder.Write("e.yaml", Experiment("plasticoding"));
   for (const char* jobs : {"1", "2", "3"})
     REQUIRE(RunPlsc({"evolve", file, "-o", folder / jobs, "--jobs", jobs,
                      "--quiet"})
                 .exit == 0);
-  for (const char* name :
-       {"run.json", "individuals.jsonl", "generations.jsonl", "best.pls"}) {
-    INFO(name);
-    const std::string one = ReadFile(folder.path() / "1" / name);
-    CHECK_FALSE(one.empty());
-    CHECK(ReadFile(folder.path() / "2" / name) == one);
-    CHECK(ReadFile(folder.path() / "3" / name) == one);
-  }
+  const std::string one = Dump(folder / "1");
+  CHECK(one.size() > 1000);
+  CHECK(Dump(folder / "2") == one);
+  CHECK(Dump(folder / "3") == one);
   SECTION("another seed is another run") {
     REQUIRE(RunPlsc({"evolve", file, "-o", folder / "other", "--seed", "2",
                      "--quiet"})
                 .exit == 0);
-    CHECK(ReadFile(folder.path() / "other" / "individuals.jsonl") !=
-          ReadFile(folder.path() / "1" / "individuals.jsonl"));
+    CHECK(Dump(folder / "other") != one);
   }
 }
 
-TEST_CASE("evolve never touches a folder that exists", "[evolve]") {
+TEST_CASE("evolve never touches what exists", "[evolve]") {
   const test::TemporaryFolder folder;
   const std::string file = folder.Write("e.yaml", Experiment("baseline"));
-  std::filesystem::create_directory(folder.path() / "run");
-  const auto ran = RunPlsc({"evolve", file, "-o", folder / "run"});
+  const std::string taken = folder.Write("run.sqlite", "mine");
+  const auto ran = RunPlsc({"evolve", file, "-o", taken});
   CHECK(ran.exit == 1);
   CHECK(ran.err.find("exists") != std::string::npos);
-  CHECK(std::filesystem::is_empty(folder.path() / "run"));
+  CHECK(ReadFile(taken) == "mine");
   CHECK(RunPlsc({"evolve", file, "-o", folder / "no/run"}).exit == 1);
+  // To go on with what is no run changes it as little.
+  CHECK(RunPlsc({"evolve", "--resume", taken}).exit == 1);
+  CHECK(RunPlsc({"evolve", file, "-o", taken, "--or-resume"}).exit == 1);
+  CHECK(ReadFile(taken) == "mine");
+}
+
+TEST_CASE("evolve goes on with a run of the same experiment only",
+          "[evolve]") {
+  const test::TemporaryFolder folder;
+  const std::string file = folder.Write("e.yaml", Experiment("plasticoding"));
+  const std::string run = folder / "run.sqlite";
+  REQUIRE(RunPlsc({"evolve", file, "-o", run, "--quiet"}).exit == 0);
+  const std::string before = Dump(run);
+  const auto again =
+      RunPlsc({"evolve", "--resume", run, "--quiet", "--format", "json"});
+  CHECK(again.exit == 0);
+  CHECK(json::parse(again.out)["simulations"] == 0);
+  CHECK(json::parse(again.out)["finished"] == true);
+  CHECK(RunPlsc({"evolve", file, "-o", run, "--or-resume", "--quiet"}).exit ==
+        0);
+  const auto other = RunPlsc(
+      {"evolve", file, "-o", run, "--or-resume", "--quiet", "--seed", "9"});
+  CHECK(other.exit == 1);
+  CHECK(other.err.find("another experiment or seed") != std::string::npos);
+  CHECK(Dump(run) == before);
+}
+
+TEST_CASE("evolve wants an experiment and a store, or a run to go on with",
+          "[evolve]") {
+  const test::TemporaryFolder folder;
+  const std::string file = folder.Write("e.yaml", Experiment("baseline"));
+  CHECK(RunPlsc({"evolve"}).exit == 2);
+  CHECK(RunPlsc({"evolve", file}).exit == 2);
+  CHECK(RunPlsc({"evolve", file, "--resume", "run"}).exit == 2);
+  CHECK(RunPlsc({"evolve", "--resume", "run", "--seed", "1"}).exit == 2);
+  CHECK(RunPlsc({"evolve", "--resume", folder / "none"}).exit == 1);
+  CHECK(folder.Files() == std::vector<std::string>{"e.yaml"});
+}
+
+TEST_CASE("a shared cache saves simulations and changes no bit", "[evolve]") {
+  const test::TemporaryFolder folder;
+  const std::string file = folder.Write("e.yaml", Experiment("plasticoding"));
+  const auto evolve = [&](const char* run, std::vector<std::string> more) {
+    std::vector<std::string> arguments = {"evolve",  file,       "-o",
+                                          folder / run, "--quiet", "--format",
+                                          "json"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const auto ran = RunPlsc(arguments);
+    INFO(ran.err);
+    REQUIRE(ran.exit == 0);
+    return json::parse(ran.out);
+  };
+  const json plain = evolve("plain", {});
+  const json first = evolve("first", {"--cache", folder / "cache"});
+  const json second = evolve("second", {"--cache", folder / "cache"});
+  CHECK(first["simulations"] == plain["simulations"]);
+  CHECK(second["simulations"] == 0);
+  CHECK(second["looked_up"] == 36);
+  CHECK(Dump(folder / "first") == Dump(folder / "plain"));
+  CHECK(Dump(folder / "second") == Dump(folder / "plain"));
+  const auto wrong = RunPlsc({"evolve", file, "-o", folder / "third", "--cache",
+                              folder.Write("text", "no cache")});
+  CHECK(wrong.exit == 1);
+  CHECK(ReadFile(folder / "text") == "no cache");
 }
 
 TEST_CASE("a wrong experiment starts nothing", "[evolve]") {
@@ -112,7 +179,7 @@ TEST_CASE("a wrong experiment starts nothing", "[evolve]") {
       const test::TemporaryFolder folder;
       const std::string file = folder.Write(
           "e.yaml", std::string("plsc_experiment: 1\n") + row.line);
-      const auto ran = RunPlsc({"evolve", file, "-o", folder / "run"});
+      const auto ran = RunPlsc({"evolve", file, "-o", folder / "run.sqlite"});
       CHECK(ran.exit == 1);
       CHECK(ran.err.find(row.message) != std::string::npos);
       CHECK(folder.Files() == std::vector<std::string>{"e.yaml"});

@@ -1,0 +1,58 @@
+#include "runtime/cli/open_run.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <ostream>
+
+namespace plsc::cli {
+
+Exit Complain(const std::string& failure, Io& io) {
+  io.err << fmt::format("error: {}\n", failure);
+  return Exit::kBadInput;
+}
+
+Loaded<int> IdOf(RunStore& store, const std::string& name) {
+  using Id = Loaded<int>;
+  if (name == "best") {
+    const Loaded<RunStatus> status = store.Status();
+    if (!status) return Id::Failed(status.failure());
+    if (status->best == 0)
+      return Id::Failed("no generation is completed yet, so nobody is best");
+    return status->best;
+  }
+  int id = 0;
+  const char* end = name.data() + name.size();
+  const auto [rest, error] = std::from_chars(name.data(), end, id);
+  if (error != std::errc() || rest != end || id < 1)
+    return Id::Failed(fmt::format(
+        "expected the number of a robot, from 1, or best; found '{}'", name));
+  return id;
+}
+
+Loaded<std::vector<int>> IdsOf(RunStore& store,
+                               const std::vector<std::string>& names) {
+  using Ids = Loaded<std::vector<int>>;
+  std::vector<int> ids;
+  for (const std::string& name :
+       names.empty() ? std::vector<std::string>{"best"} : names) {
+    const Loaded<int> id = IdOf(store, name);
+    if (!id) return Ids::Failed(id.failure());
+    ids.push_back(*id);
+  }
+  return ids;
+}
+
+Loaded<std::vector<int>> EvaluatedIds(RunStore& store) {
+  Loaded<std::vector<int>> ids = store.EvaluatedIds();
+  if (ids && ids->empty())
+    return Loaded<std::vector<int>>::Failed("nobody is evaluated yet");
+  return ids;
+}
+
+std::string TellVersions(const Versions& versions) {
+  return fmt::format("plsc {}, ODE {}, compiler {}", versions.plsc,
+                     versions.ode, versions.compiler);
+}
+
+}  // namespace plsc::cli

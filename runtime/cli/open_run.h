@@ -1,0 +1,27 @@
+#pragma once
+
+// What the commands that read runs share: names of individuals, what is wrong.
+
+#include <string>
+#include <vector>
+
+#include "runtime/cli/io.h"
+#include "runtime/store/run_store.h"
+
+namespace plsc::cli {
+
+/// "error: ..." and the exit status for it.
+Exit Complain(const std::string& failure, Io& io);
+
+/// A number, or "best": the best of the last completed generation.
+Loaded<int> IdOf(RunStore& store, const std::string& name);
+/// Likewise; the best if there are no names.
+Loaded<std::vector<int>> IdsOf(RunStore& store,
+                               const std::vector<std::string>& names);
+/// Everybody who was evaluated, by id.
+Loaded<std::vector<int>> EvaluatedIds(RunStore& store);
+
+/// "plsc 0.1.0, ODE 0.16.2, compiler 12.2.0".
+std::string TellVersions(const Versions& versions);
+
+}  // namespace plsc::cli

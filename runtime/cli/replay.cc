@@ -1,0 +1,142 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <ostream>
+#include <span>
+#include <utility>
+
+#include "runtime/cli/commands.h"
+#include "runtime/cli/open_run.h"
+#include "runtime/cli/replay_compare.h"
+#include "runtime/evolve/judge.h"
+#include "runtime/evolve/judging.h"
+#include "runtime/evolve/worker_count.h"
+#include "runtime/evolve/worker_pool.h"
+
+namespace plsc::cli {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+void PrintText(const Replayed& replayed, std::ostream& out) {
+  if (replayed.differences.empty()) {
+    out << fmt::format("{}: {} values in {} seasons equal\n", replayed.id,
+                       replayed.values, replayed.seasons);
+    return;
+  }
+  out << fmt::format("{}: {} of {} values differ\n", replayed.id,
+                     replayed.differences.size(), replayed.values);
+  for (const Difference& one : replayed.differences)
+    out << fmt::format("  season {}, {}: stored {}, now {}\n", one.season,
+                       one.name, one.stored, one.now);
+}
+
+void PrintJson(const Replayed& replayed, std::ostream& out) {
+  Json json;
+  json["id"] = replayed.id;
+  json["seasons"] = replayed.seasons;
+  json["values"] = replayed.values;
+  json["differences"] = Json::array();
+  for (const Difference& one : replayed.differences)
+    json["differences"].push_back({{"season", one.season},
+                                   {"name", one.name},
+                                   {"stored", one.stored},
+                                   {"now", one.now}});
+  out << json.dump() << '\n';
+}
+
+struct Stored {
+  Individual individual;
+  std::vector<SeasonEvidence> evidence;
+};
+
+Loaded<std::vector<Stored>> Load(RunStore& store,
+                                 std::span<const int> ids) {
+  using Batch = Loaded<std::vector<Stored>>;
+  std::vector<Stored> batch;
+  for (const int id : ids) {
+    Loaded<Individual> one = store.Find(id);
+    if (!one) return Batch::Failed(one.failure());
+    if (one->evaluation.seasons.empty())
+      return Batch::Failed(fmt::format("{} is not evaluated yet", id));
+    Loaded<std::vector<SeasonEvidence>> evidence = store.EvidenceOf(id);
+    if (!evidence) return Batch::Failed(evidence.failure());
+    batch.push_back({std::move(*one), std::move(*evidence)});
+  }
+  return batch;
+}
+
+/// Judges all anew, as a run does but that nothing is known.
+class Replays {
+ public:
+  Replays(const Experiment& experiment, int jobs)
+      : planner_(experiment.scenario),
+        pool_({jobs, HangSeconds(experiment)}, WorkOf(planner_)),
+        judging_(planner_, pool_, {}) {}
+
+  /// In the order of `batch`; fewer if there are no workers any more.
+  std::vector<Replayed> Judge(const std::vector<Stored>& batch) {
+    std::vector<Individual> robots;
+    for (const Stored& stored : batch) {
+      robots.push_back(stored.individual);
+      robots.back().evaluation = {};
+    }
+    std::vector<Replayed> replayed(batch.size());
+    judging_.Begin(robots);
+    while (judging_.outstanding() > 0 && !judging_.failure())
+      for (const Verdict& verdict : judging_.Wait(1000)) {
+        const Stored& stored = batch[verdict.robot];
+        replayed[verdict.robot] = Compare(
+            stored.individual, stored.evidence, verdict.life);
+      }
+    if (judging_.failure()) replayed.clear();
+    return replayed;
+  }
+  std::string failure() const { return judging_.failure().value_or(""); }
+
+ private:
+  const LifePlanner planner_;
+  WorkerPool pool_;
+  Judging judging_;
+};
+
+}  // namespace
+
+Exit Run(const ReplayCommand& command, Io& io) {
+  RunStore store;
+  if (const auto failure = store.OpenForReading(command.run))
+    return Complain(*failure, io);
+  const Loaded<std::vector<int>> ids =
+      command.all ? EvaluatedIds(store) : IdsOf(store, command.individuals);
+  if (!ids) return Complain(ids.failure(), io);
+  Replays replays(store.experiment(), WorkerCount(command.jobs.value_or(0)));
+  // Enough for all workers, few enough to be seen going on.
+  constexpr std::size_t kBatch = 50;
+  std::size_t different = 0;
+  std::span<const int> rest(*ids);
+  while (!rest.empty()) {
+    const auto now = rest.first(std::min(rest.size(), kBatch));
+    rest = rest.subspan(now.size());
+    const Loaded<std::vector<Stored>> batch = Load(store, now);
+    if (!batch) return Complain(batch.failure(), io);
+    const std::vector<Replayed> replayed = replays.Judge(*batch);
+    if (replayed.empty()) return Complain(replays.failure(), io);
+    for (const Replayed& one : replayed) {
+      different += one.differences.empty() ? 0 : 1;
+      command.format == OutputFormat::kJson ? PrintJson(one, io.out)
+                                            : PrintText(one, io.out);
+    }
+    io.out.flush();
+  }
+  if (different == 0) return Exit::kFine;
+  io.err << fmt::format(
+      "error: {} of {} robots came out otherwise\n"
+      "= help: another version of plsc or of ODE ({} began this run), or "
+      "another kind of processor, may be why\n",
+      different, ids->size(), TellVersions(store.versions()));
+  return Exit::kBadInput;
+}
+
+}  // namespace plsc::cli

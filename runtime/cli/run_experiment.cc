@@ -1,0 +1,197 @@
+#include "runtime/cli/run_experiment.h"
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <chrono>
+#include <ctime>
+#include <filesystem>
+#include <ostream>
+#include <utility>
+
+#include "runtime/cli/interrupt.h"
+#include "runtime/cli/open_run.h"
+#include "runtime/cli/progress.h"
+#include "runtime/evolve/judge.h"
+#include "runtime/evolve/worker_count.h"
+#include "runtime/evolve/worker_pool.h"
+#include "runtime/store/lock.h"
+#include "runtime/store/run_store.h"
+#include "runtime/store/shared_cache.h"
+
+namespace plsc::cli {
+
+namespace {
+
+using Failure = std::optional<std::string>;
+
+double CpuSeconds(int who) {
+  rusage usage{};
+  ::getrusage(who, &usage);
+  const auto seconds = [](const timeval& t) {
+    return static_cast<double>(t.tv_sec) +
+           1e-6 * static_cast<double>(t.tv_usec);
+  };
+  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
+}
+
+std::string UtcNow() {
+  return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
+}
+
+std::string_view EndingName(Ending ending) {
+  switch (ending) {
+    case Ending::kFinished:
+      return "finished";
+    case Ending::kStopped:
+      return "stopped";
+    case Ending::kFailed:
+      return "failed";
+  }
+  return "";
+}
+
+/// A store that is ready for the run, or what is wrong.
+Failure Prepare(const RunRequest& request, RunStore& store) {
+  const bool exists = std::filesystem::exists(request.path);
+  if (request.experiment && !(request.may_resume && exists))
+    return store.Create(request.path, *request.experiment);
+  if (Failure failure =
+          store.Open(request.path, request.allow_other_version))
+    return failure;
+  if (request.experiment &&
+      PrintExperiment(*request.experiment) !=
+          PrintExperiment(store.experiment()))
+    return fmt::format(
+        "'{}' is a run of another experiment or seed: choose another name, or "
+        "`plsc evolve --resume {}` to go on with it as it is",
+        request.path, request.path);
+  return std::nullopt;
+}
+
+std::unique_ptr<Workers> WorkersFor(const RunRequest& request,
+                                    const Experiment& experiment,
+                                    const Work& work) {
+  const double hang = request.hang_seconds.value_or(HangSeconds(experiment));
+  if (request.mpi != nullptr)
+    return request.mpi->MakeWorkers(PrintExperiment(experiment), hang);
+  return std::make_unique<WorkerPool>(
+      WorkerPoolOptions{WorkerCount(request.jobs.value_or(0)), hang}, work);
+}
+
+/// Runs what the store has not got yet; prints nothing but progress.
+void Live(const RunRequest& request, RunStore& store, SharedCache* cache,
+          SavedRun saved, RunOutcome& outcome, Io& io) {
+  const Experiment& experiment = outcome.experiment;
+  Effort& effort = outcome.effort;
+  ProgressLine line(io.err, io.err_is_terminal, experiment.generations);
+  EvolveOptions options;
+  options.make_workers = [&](const Work& work) {
+    return WorkersFor(request, experiment, work);
+  };
+  options.caches = {&store};
+  if (cache != nullptr) options.caches.push_back(cache);
+  const std::int64_t done_before = saved.evaluations;
+  options.saved = std::move(saved);
+  options.observers = {&store};
+  const InterruptHandler handler;
+  options.should_stop = [] { return InterruptHandler::is_interrupted(); };
+  options.on_progress = [&](const Progress& progress) {
+    effort.workers = progress.workers;
+    if (!request.quiet) line.Show(progress);
+  };
+  const double children_before = CpuSeconds(RUSAGE_CHILDREN);
+  const double own_before = CpuSeconds(RUSAGE_SELF);
+  outcome.result = Evolve(experiment, options);
+  line.Finish();
+  const double children = CpuSeconds(RUSAGE_CHILDREN) - children_before;
+  effort.seconds = line.seconds();
+  effort.cpu_seconds = children + CpuSeconds(RUSAGE_SELF) - own_before;
+  // Workers are children that have ended when the run returns, so their CPU
+  // time over what they could have had is how busy they were.
+  effort.busy_share =
+      children / (effort.seconds * std::max(effort.workers, 1));
+  effort.evaluations = outcome.result.evaluations - done_before;
+  effort.counts = outcome.result.counts_of_work;
+}
+
+SessionEnd EndOf(const RunOutcome& outcome) {
+  const Effort& effort = outcome.effort;
+  SessionEnd end;
+  end.ended = UtcNow();
+  end.how = EndingName(outcome.result.ending);
+  if (!outcome.result.failure.empty())
+    end.how += ": " + outcome.result.failure;
+  end.workers = effort.workers;
+  end.evaluations = effort.evaluations;
+  end.simulated = effort.counts.simulations;
+  end.looked_up = effort.counts.looked_up;
+  end.seconds = effort.seconds;
+  end.cpu_seconds = effort.cpu_seconds;
+  return end;
+}
+
+Exit ExitOf(const RunOutcome& outcome, const std::string& path, Io& io) {
+  const RunResult& result = outcome.result;
+  switch (result.ending) {
+    case Ending::kFinished:
+      return Exit::kFine;
+    case Ending::kStopped:
+      io.err << fmt::format(
+          "stopped after {} generations and {} evaluations, which are in {}; "
+          "go on with\n  plsc evolve --resume {}\n",
+          result.generations, result.evaluations, path, path);
+      return Exit::kInterrupted;
+    case Ending::kFailed:
+      io.err << fmt::format(
+          "error: {}\n{} generations and what was evaluated since are in {}; "
+          "when the cause is mended, go on with\n  plsc evolve --resume {}\n",
+          result.failure, result.generations, path, path);
+      return Exit::kBadInput;
+  }
+  return Exit::kBadInput;
+}
+
+}  // namespace
+
+RunOutcome ExecuteRun(const RunRequest& request, Io& io) {
+  RunOutcome outcome;
+  const auto complain = [&](const std::string& failure) {
+    outcome.exit = Complain(failure, io);
+    return outcome;
+  };
+  RunStore store;
+  if (const Failure failure = Prepare(request, store)) {
+    outcome.is_locked = WhoWorksOn(request.path).has_value();
+    return complain(*failure);
+  }
+  outcome.experiment = store.experiment();
+  Loaded<SavedRun> saved = store.Load();
+  if (!saved) return complain(saved.failure());
+  std::optional<SharedCache> cache;
+  if (!request.cache.empty()) {
+    cache.emplace();
+    if (const Failure failure = cache->Open(request.cache))
+      return complain(*failure);
+  }
+  if (const Failure failure =
+          store.BeginSession({UtcNow(), request.jobs.value_or(0)}))
+    return complain(*failure);
+  Live(request, store, cache ? &*cache : nullptr, std::move(*saved), outcome,
+       io);
+  if (cache && cache->warning())
+    io.err << fmt::format("warning: {}\n", *cache->warning());
+  Failure closing = store.EndSession(EndOf(outcome));
+  if (const Failure failure = store.Close(); failure && !closing)
+    closing = failure;
+  if (closing && outcome.result.ending != Ending::kFailed) {
+    outcome.result.ending = Ending::kFailed;
+    outcome.result.failure = *closing;
+  }
+  outcome.exit = ExitOf(outcome, request.path, io);
+  return outcome;
+}
+
+}  // namespace plsc::cli

@@ -1,0 +1,183 @@
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+#include <ostream>
+
+#include "compiler/print.h"
+#include "runtime/cli/commands.h"
+#include "runtime/cli/open_run.h"
+#include "runtime/cli/robot_text.h"
+#include "runtime/formats/season_json.h"
+#include "runtime/store/lock.h"
+
+namespace plsc::cli {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// "child of 12 and 7 (B, T of 7), rule 3 changed by add".
+std::string Origin(const Heritage& heritage, const Alphabet& alphabet) {
+  if (heritage.parents.empty()) return "drawn at random";
+  std::string text = fmt::format("child of {} and {}", heritage.parents[0],
+                                 heritage.parents[1]);
+  if (!heritage.from_second.empty()) {
+    std::vector<std::string> heads;
+    for (const SymbolId head : heritage.from_second)
+      heads.push_back(alphabet[head].name);
+    text += fmt::format(" ({} of {})", fmt::join(heads, ", "),
+                        heritage.parents[1]);
+  }
+  if (heritage.mutation)
+    text += fmt::format(", {} of rule {}",
+                        MutationName(heritage.mutation->kind),
+                        heritage.mutation->rule + 1);
+  return text;
+}
+
+/// "2.66 -0.10 none cm/s": of the seasons in their order.
+std::string SpeedsOf(const SeasonFitnesses& fitnesses) {
+  constexpr double kCentimetres = 100;
+  if (fitnesses.empty()) return "not evaluated yet";
+  std::string text;
+  for (const std::optional<double>& fitness : fitnesses)
+    text += fitness ? fmt::format("{:.2f} ", kCentimetres * *fitness) : "none ";
+  return text + "cm/s";
+}
+
+std::string LineageText(const std::vector<Ancestor>& lineage,
+                        const Alphabet& alphabet) {
+  std::string text;
+  for (const Ancestor& ancestor : lineage)
+    text += fmt::format("  {:>2} back  {:>6} of generation {:<4} {:<24} {}\n",
+                        ancestor.distance, ancestor.id, ancestor.generation,
+                        SpeedsOf(ancestor.fitnesses),
+                        Origin(ancestor.heritage, alphabet));
+  return text;
+}
+
+Json HeritageJson(const Heritage& heritage, const Alphabet& alphabet) {
+  Json json;
+  json["parents"] = heritage.parents;
+  json["from_second"] = Json::array();
+  for (const SymbolId head : heritage.from_second)
+    json["from_second"].push_back(alphabet[head].name);
+  json["mutation"] = heritage.mutation
+                         ? Json(MutationName(heritage.mutation->kind))
+                         : Json(nullptr);
+  json["mutated_rule"] = heritage.mutation ? Json(heritage.mutation->rule + 1)
+                                           : Json(nullptr);
+  json["senses"] = heritage.senses;
+  return json;
+}
+
+Json FitnessesJson(const SeasonFitnesses& fitnesses) {
+  Json json = Json::array();
+  for (const std::optional<double>& fitness : fitnesses)
+    json.push_back(fitness ? Json(*fitness) : Json(nullptr));
+  return json;
+}
+
+Json IndividualJson(const Individual& one,
+                    const std::vector<Ancestor>& lineage) {
+  const Alphabet& alphabet = *one.genotype.alphabet;
+  Json json;
+  json["id"] = one.id;
+  json["generation"] = one.generation;
+  json.update(HeritageJson(one.heritage, alphabet));
+  json["genotype"] = Print(one.genotype);
+  json["seasons"] = Json::array();
+  for (const SeasonResult& season : one.evaluation.seasons)
+    json["seasons"].push_back(
+        Json::parse(SeasonJson(one.genotype.name, season)));
+  json["lineage"] = Json::array();
+  for (const Ancestor& ancestor : lineage) {
+    Json of;
+    of["distance"] = ancestor.distance;
+    of["id"] = ancestor.id;
+    of["generation"] = ancestor.generation;
+    of.update(HeritageJson(ancestor.heritage, alphabet));
+    of["fitness"] = FitnessesJson(ancestor.fitnesses);
+    json["lineage"].push_back(std::move(of));
+  }
+  return json;
+}
+
+Exit ShowIndividual(const ShowCommand& command, RunStore& store, Io& io) {
+  const Loaded<int> id = IdOf(store, command.individual);
+  if (!id) return Complain(id.failure(), io);
+  const Loaded<Individual> one = store.Find(*id);
+  if (!one) return Complain(one.failure(), io);
+  if (command.genotype) {
+    io.out << Print(one->genotype);
+    return Exit::kFine;
+  }
+  const Loaded<std::vector<Ancestor>> lineage =
+      store.Lineage(*id, command.lineage);
+  if (!lineage) return Complain(lineage.failure(), io);
+  if (command.format == OutputFormat::kJson) {
+    io.out << IndividualJson(*one, *lineage).dump() << '\n';
+    return Exit::kFine;
+  }
+  const Alphabet& alphabet = *one->genotype.alphabet;
+  io.out << fmt::format("{} of generation {}: {}\n\nlineage:\n{}\n{}\n{}",
+                        one->genotype.name, one->generation,
+                        Origin(one->heritage, alphabet),
+                        LineageText(*lineage, alphabet), Print(one->genotype),
+                        SeasonsText(*one));
+  return Exit::kFine;
+}
+
+Exit ShowRun(const ShowCommand& command, RunStore& store, Io& io) {
+  const Loaded<RunStatus> status = store.Status();
+  if (!status) return Complain(status.failure(), io);
+  const Experiment& experiment = store.experiment();
+  const std::optional<std::string> worker = WhoWorksOn(command.run);
+  const char* state = status->is_finished ? "finished"
+                      : worker            ? "running"
+                                          : "unfinished";
+  if (command.format == OutputFormat::kJson) {
+    Json json;
+    json["run"] = command.run;
+    json["name"] = experiment.name;
+    json["seed"] = experiment.seed;
+    json["state"] = state;
+    json["generations"] = status->generations;
+    json["total_generations"] = experiment.generations;
+    json["evaluations"] = status->evaluations;
+    json["total_evaluations"] = Evaluations(experiment);
+    json["best"] = status->best == 0 ? Json(nullptr) : Json(status->best);
+    json["versions"] = {{"plsc", store.versions().plsc},
+                        {"ode", store.versions().ode},
+                        {"compiler", store.versions().compiler}};
+    io.out << json.dump() << '\n';
+    return Exit::kFine;
+  }
+  io.out << fmt::format(
+      "{} (seed {}), by {}\n{}{}: {} of {} generations, {} of {} robots "
+      "evaluated\n",
+      experiment.name.empty() ? "run without a name" : experiment.name,
+      experiment.seed, TellVersions(store.versions()), state,
+      worker ? " by " + *worker : "", status->generations,
+      experiment.generations, status->evaluations, Evaluations(experiment));
+  if (status->best == 0) return Exit::kFine;
+  const Loaded<Individual> best = store.Find(status->best);
+  if (!best) return Complain(best.failure(), io);
+  io.out << fmt::format("best: {} of generation {}\n", status->best,
+                        best->generation);
+  for (const SeasonResult& season : best->evaluation.seasons)
+    io.out << "  " << SeasonLine(season) << '\n';
+  return Exit::kFine;
+}
+
+}  // namespace
+
+Exit Run(const ShowCommand& command, Io& io) {
+  RunStore store;
+  if (const auto failure = store.OpenForReading(command.run))
+    return Complain(*failure, io);
+  return command.individual.empty() ? ShowRun(command, store, io)
+                                    : ShowIndividual(command, store, io);
+}
+
+}  // namespace plsc::cli

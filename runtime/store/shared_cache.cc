@@ -1,0 +1,156 @@
+#include "runtime/store/shared_cache.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <utility>
+#include <vector>
+
+#include "runtime/evolve/simulated_frame.h"
+#include "sim/machine_kind.h"
+
+namespace plsc {
+
+namespace {
+
+// "plsK" in the file's header: neither a run nor anything else.
+constexpr int kApplication = 0x706c734b;
+constexpr int kFormat = 1;
+
+// WAL, so that readers do not wait for writers. Who waits for another
+// process's transaction waits for milliseconds; half a minute is a dead disk.
+constexpr const char* kSetUp = R"(
+PRAGMA busy_timeout = 30000;
+PRAGMA journal_mode = WAL;
+PRAGMA synchronous = NORMAL;
+)";
+
+constexpr const char* kTables = R"(
+CREATE TABLE IF NOT EXISTS engine(
+  id INTEGER PRIMARY KEY, text TEXT UNIQUE NOT NULL);
+CREATE TABLE IF NOT EXISTS simulation(
+  key TEXT NOT NULL, engine INTEGER NOT NULL REFERENCES engine(id),
+  value TEXT NOT NULL, PRIMARY KEY(key, engine)) WITHOUT ROWID;
+)";
+
+std::string ToHex(const std::string& bytes) {
+  std::string text;
+  text.reserve(2 * bytes.size());
+  for (const char byte : bytes)
+    text += fmt::format("{:02x}", static_cast<unsigned char>(byte));
+  return text;
+}
+
+/// Nothing if it is no such text.
+std::optional<std::string> FromHex(const std::string& text) {
+  const auto digit = [](char c) {
+    return c >= '0' && c <= '9' ? c - '0' : c >= 'a' && c <= 'f' ? c - 'a' + 10
+                                                                 : -1;
+  };
+  if (text.size() % 2 != 0) return std::nullopt;
+  std::string bytes;
+  for (std::size_t i = 0; i < text.size(); i += 2) {
+    const int high = digit(text[i]);
+    const int low = digit(text[i + 1]);
+    if (high < 0 || low < 0) return std::nullopt;
+    bytes += static_cast<char>(16 * high + low);
+  }
+  return bytes;
+}
+
+int NumberOf(Database& database, const char* pragma) {
+  Statement statement(database, fmt::format("PRAGMA {}", pragma));
+  return statement.Next() ? statement.TakeInt() : 0;
+}
+
+}  // namespace
+
+std::string ThisEngine() {
+  // The version alone would take a changed program for the same.
+  std::ifstream program("/proc/self/exe", std::ios::binary);
+  const std::string bytes((std::istreambuf_iterator<char>(program)),
+                          std::istreambuf_iterator<char>());
+  return fmt::format("{} {}", Hex(KeyOf(bytes)), MachineKind());
+}
+
+struct SharedCache::Statements {
+  explicit Statements(Database& database)
+      : find(database,
+             "SELECT value FROM simulation WHERE key = ? AND engine = ?"),
+        add(database, "INSERT OR IGNORE INTO simulation VALUES(?, ?, ?)") {}
+  Statement find;
+  Statement add;
+};
+
+SharedCache::SharedCache() = default;
+
+SharedCache::~SharedCache() {
+  statements_.reset();
+  database_.Close();
+}
+
+SharedCache::Failure SharedCache::Open(const std::string& path,
+                                       const std::string& engine) {
+  // SQLite makes a database of an empty file.
+  if (!std::filesystem::exists(path)) std::ofstream(path, std::ios::app);
+  if (Failure failure = database_.Open(path, Database::Mode::kCreate))
+    return failure;
+  const int application = NumberOf(database_, "application_id");
+  const int format = NumberOf(database_, "user_version");
+  if (Failure failure = database_.TakeFailure()) return failure;
+  // Another process may be making the very file.
+  const bool is_empty = NumberOf(database_, "schema_version") == 0;
+  if (!is_empty && application != kApplication)
+    return fmt::format("'{}' is no cache of plsc", path);
+  if (!is_empty && format != kFormat)
+    return fmt::format("'{}' is a cache of format {}; this program knows {}",
+                       path, format, kFormat);
+  database_.Run(kSetUp);
+  {
+    Transaction transaction(database_);
+    database_.Run(fmt::format(
+        "PRAGMA application_id = {}; PRAGMA user_version = {};", kApplication,
+        kFormat));
+    database_.Run(kTables);
+    Statement(database_, "INSERT OR IGNORE INTO engine(text) VALUES(?)")
+        .With(engine)
+        .Run();
+    Statement number(database_, "SELECT id FROM engine WHERE text = ?");
+    if (number.With(engine).Next()) engine_ = number.TakeInteger();
+    if (Failure failure = transaction.Commit()) return failure;
+  }
+  statements_ = std::make_unique<Statements>(database_);
+  return database_.TakeFailure();
+}
+
+void SharedCache::Check() {
+  Failure failure = database_.TakeFailure();
+  if (!failure) return;
+  warning_ = fmt::format("the cache is not used any more: {}", *failure);
+}
+
+std::optional<Simulated> SharedCache::Find(const Key& key) {
+  if (warning_) return std::nullopt;
+  Statement& find = statements_->find;
+  std::optional<Simulated> found;
+  if (find.With(Hex(key), engine_).Next())
+    if (const auto bytes = FromHex(find.TakeText()))
+      if (const auto simulated = Unpack(*bytes);
+          simulated && simulated->size() == 1)
+        found = simulated->front();
+  find.With();  // lets the row go: an open read keeps the log from shrinking
+  Check();
+  return found;
+}
+
+SharedCache::Failure SharedCache::Add(const Key& key,
+                                      const Simulated& simulated) {
+  if (warning_) return std::nullopt;
+  statements_->add.With(Hex(key), engine_, ToHex(Pack({simulated}))).Run();
+  Check();
+  return std::nullopt;
+}
+
+}  // namespace plsc

@@ -1,0 +1,52 @@
+#pragma once
+
+// Simulations that several runs share, in a file of their own (`plsc evolve
+// --cache FILE`). Holds no result: a run is the same without it. So what goes
+// wrong with it while a run goes on ends its use and not the run.
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "runtime/evolve/simulation_cache.h"
+#include "runtime/store/database.h"
+
+namespace plsc {
+
+/// What simulations are a function of besides their keys: this very program
+/// file and the kind of the machine. Others' simulations are not found.
+std::string ThisEngine();
+
+/// Several processes may use one file at a time. Not to be used on both sides
+/// of a fork.
+class SharedCache : public SimulationCache {
+ public:
+  using Failure = std::optional<std::string>;
+
+  SharedCache();
+  ~SharedCache() override;
+  SharedCache(const SharedCache&) = delete;
+  SharedCache& operator=(const SharedCache&) = delete;
+
+  /// Makes the file if it is not there. What is wrong with it, or nothing.
+  Failure Open(const std::string& path,
+               const std::string& engine = ThisEngine());
+
+  std::optional<Simulated> Find(const Key& key) override;
+  /// Never fails: see warning().
+  Failure Add(const Key& key, const Simulated& simulated) override;
+
+  /// Why it is not used any more.
+  const Failure& warning() const { return warning_; }
+
+ private:
+  struct Statements;
+  void Check();
+
+  Database database_;
+  std::unique_ptr<Statements> statements_;
+  std::int64_t engine_ = 0;
+  Failure warning_;
+};
+
+}  // namespace plsc

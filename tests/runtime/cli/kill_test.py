@@ -1,0 +1,202 @@
+#!/usr/bin/env python3
+"""A run of evolution is killed at random instants, again and again, and goes
+on each time; its result tables must be those of a run never interrupted, bit
+for bit. Also: signals that ask, a dead worker, a second process, a full disk.
+
+usage: kill_test.py PLSC [KILLS]"""
+
+import contextlib
+import os
+import pathlib
+import random
+import resource
+import shutil
+import signal
+import sqlite3
+import subprocess
+import sys
+import tempfile
+import time
+
+PLSC = sys.argv[1]
+KILLS = int(sys.argv[2]) if len(sys.argv) > 2 else 60
+
+EXPERIMENT = """plsc_experiment: 1
+name: killed
+seed: 11
+population: 10
+offspring: 10
+generations: 6
+scenario:
+  seasons:
+    - {name: flat, terrain: flat, duration: 10 s}
+    - {name: tilted, terrain: {tilted: 5 deg}, duration: 10 s}
+"""
+
+
+def tables(path):
+    """All result tables as text; what depends on the clock is in `session`."""
+    with contextlib.closing(
+            sqlite3.connect(f"file:{path}?mode=ro", uri=True)) as store:
+        names = [row[0] for row in store.execute(
+            "SELECT name FROM sqlite_master WHERE type = 'table' "
+            "AND name NOT LIKE 'sqlite_%' AND name != 'session' ORDER BY name")]
+        assert "evaluation" in names and "individual" in names, names
+        dump = []
+        for name in names:
+            rows = [repr(row) for row in store.execute(f"SELECT * FROM {name}")]
+            dump.append(f"{name}: {len(rows)}\n" + "\n".join(sorted(rows)))
+    return "\n".join(dump)
+
+
+def evolve(*arguments, **options):
+    return subprocess.Popen([PLSC, "evolve", *map(str, arguments), "--quiet"],
+                            stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                            text=True, **options)
+
+
+def finish(*arguments, expected=0, **options):
+    process = evolve(*arguments, **options)
+    out, err = process.communicate(timeout=300)
+    assert process.returncode == expected, (process.returncode, out, err)
+    return err
+
+
+def children_of(pid):
+    text = pathlib.Path(f"/proc/{pid}/task/{pid}/children").read_text()
+    return [int(child) for child in text.split()]
+
+
+def wait_for(condition, seconds=60):
+    for _ in range(int(seconds * 200)):
+        if condition():
+            return
+        time.sleep(0.005)
+    raise AssertionError("it did not happen in time")
+
+
+def evaluations(path):
+    try:
+        with contextlib.closing(
+            sqlite3.connect(f"file:{path}?mode=ro", uri=True)) as store:
+            return store.execute("SELECT count(*) FROM evaluation").fetchone()[0]
+    except sqlite3.OperationalError:
+        return 0
+
+
+def test_kills(folder, experiment, expected):
+    """SIGKILL at instants spread over the whole run, from the first file
+    access on."""
+    chance = random.Random(5)
+    kills = runs = 0
+    while kills < KILLS:
+        runs += 1
+        path = folder / f"killed{runs}.sqlite"
+        finished = False
+        while not finished:
+            process = evolve(experiment, "-o", path, "--or-resume")
+            try:
+                process.wait(timeout=chance.uniform(0, 1) if kills < KILLS
+                             else None)
+                finished = True
+            except subprocess.TimeoutExpired:
+                process.send_signal(signal.SIGKILL)
+                kills += 1
+            out, err = process.communicate()
+            assert not finished or process.returncode == 0, (out, err)
+        assert tables(path) == expected, f"run {runs} differs"
+    print(f"{kills} kills in {runs} runs: equal tables")
+
+
+def test_signals(folder, experiment, expected):
+    """Those who ask get a clean end within two seconds, and a hint."""
+    for number in (signal.SIGINT, signal.SIGTERM):
+        path = folder / f"asked{number}.sqlite"
+        process = evolve(experiment, "-o", path)
+        wait_for(lambda: evaluations(path) >= 10)
+        asked = time.monotonic()
+        process.send_signal(number)
+        out, err = process.communicate(timeout=60)
+        assert process.returncode == 130, (process.returncode, err)
+        print(f"signal {number}: ended after {time.monotonic() - asked:.2f} s")
+        assert f"plsc evolve --resume {path}" in err, err
+        with contextlib.closing(sqlite3.connect(path)) as store:
+            how = store.execute("SELECT how FROM session").fetchall()
+        assert how == [("stopped",)], how
+        finish("--resume", path)
+        assert tables(path) == expected, f"signal {number} changed the results"
+
+
+def test_dead_worker(folder, experiment, expected):
+    path = folder / "worker.sqlite"
+    process = evolve(experiment, "-o", path, "--jobs", "2")
+    wait_for(lambda: evaluations(path) >= 10)
+    os.kill(children_of(process.pid)[0], signal.SIGKILL)
+    out, err = process.communicate(timeout=300)
+    assert process.returncode == 0, err
+    assert tables(path) == expected, "a dead worker changed the results"
+
+
+def test_second_process(folder, experiment):
+    path = folder / "twice.sqlite"
+    process = evolve(experiment, "-o", path)
+    wait_for(lambda: evaluations(path) >= 2)
+    err = finish("--resume", path, expected=1)
+    assert str(process.pid) in err, err
+    process.send_signal(signal.SIGKILL)
+    process.communicate()
+
+
+def test_limits(folder, experiment, expected):
+    """A file that may not grow, then a file system that is full."""
+    def small_files():
+        signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+        resource.setrlimit(resource.RLIMIT_FSIZE, (300_000, 300_000))
+    path = folder / "limit.sqlite"
+    err = finish(experiment, "-o", path, expected=1, preexec_fn=small_files)
+    assert "error: cannot" in err and "limit.sqlite" in err, err
+    finish("--resume", path)
+    assert tables(path) == expected, "a limit changed the results"
+
+    disk = folder / "disk"
+    disk.mkdir()
+    mount = ["mount", "-t", "tmpfs", "-o", "size=400k", "tmpfs", str(disk)]
+    if os.geteuid() != 0 or subprocess.run(mount, capture_output=True).returncode:
+        print("full disk: skipped, cannot mount")
+        return
+    try:
+        path = disk / "run.sqlite"
+        err = finish(experiment, "-o", path, expected=1)
+        assert "no space left" in err.lower(), err
+        assert f"plsc evolve --resume {path}" in err, err
+        err = finish("--resume", path, expected=1)
+        assert "no space left" in err.lower(), err
+        subprocess.run(["mount", "-o", "remount,size=20m", str(disk)], check=True)
+        finish("--resume", path)
+        assert tables(path) == expected, "a full disk changed the results"
+        subprocess.run(["mount", "-o", "remount,ro", str(disk)], check=True)
+        err = finish(experiment, "-o", disk / "other.sqlite", expected=1)
+        assert "Read-only file system" in err, err
+        print("full disk: told, and gone on with")
+    finally:
+        subprocess.run(["umount", "-l", str(disk)], check=True)
+
+
+def main():
+    folder = pathlib.Path(tempfile.mkdtemp(prefix="plsc_kill_"))
+    try:
+        experiment = folder / "experiment.yaml"
+        experiment.write_text(EXPERIMENT)
+        straight = folder / "straight.sqlite"
+        finish(experiment, "-o", straight, "--jobs", "1")
+        expected = tables(straight)
+        test_kills(folder, experiment, expected)
+        test_signals(folder, experiment, expected)
+        test_dead_worker(folder, experiment, expected)
+        test_second_process(folder, experiment)
+        test_limits(folder, experiment, expected)
+    finally:
+        shutil.rmtree(folder, ignore_errors=True)
+
+
+main()

@@ -1,0 +1,30 @@
+#pragma once
+
+// A real run for tests of the commands that read runs: six robots, three
+// generations, two seasons of a second. Made once a program.
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "tests/runtime/cli/run_plsc.h"
+
+namespace plsc::test {
+
+class TinyRun {
+ public:
+  TinyRun();
+  std::string path() const { return folder_ / "run.sqlite"; }
+  /// What `plsc evolve --format json` printed of it.
+  const nlohmann::json& summary() const { return summary_; }
+
+ private:
+  TemporaryFolder folder_;
+  nlohmann::json summary_;
+};
+
+const TinyRun& FinishedRun();
+
+/// YAML of such a run.
+extern const char* const kTinyExperiment;
+
+}  // namespace plsc::test
