@@ -215,7 +215,12 @@ Loaded<SavedRun> RunStore::Load() {
   int next = 1;  // the first id of the generation under way
   if (saved.generations > 0) {
     const auto last = reader.FindGeneration(saved.generations - 1);
-    if (!last) return parts_->Tell(saved);
+    if (!last || last->pool.empty()) {
+      parts_->database.Fail(
+          fmt::format("'{}' is damaged: its last generation cannot be read",
+                      path()));
+      return parts_->Tell(saved);
+    }
     for (const int id : last->survivors) {
       saved.population.push_back(reader.FindIndividual(id));
       const auto place = std::find(last->pool.begin(), last->pool.end(), id);
