@@ -53,14 +53,16 @@ TEST_CASE("study list shows what would run, and runs nothing", "[study]") {
   CHECK(Has(ran.out, "4 runs, 16 evaluations\n"));
   CHECK(folder.Files() == std::vector<std::string>{"study.yaml"});
 
-  const auto all = Lines(RunPlsc({"study", "list", file, "--format", "json"}).out);
+  const auto all =
+      Lines(RunPlsc({"study", "list", file, "--format", "json"}).out);
   REQUIRE(all.size() == 4);
   CHECK(all[2]["experiment"] == "baseline");
   CHECK(all[2]["repetition"] == 1);
-  CHECK(all[2]["seed"].get<std::uint64_t>() != all[0]["seed"].get<std::uint64_t>());
-  const auto part = Lines(RunPlsc({"study", "list", file, "--shard", "2/3",
-                                   "--format", "json"})
-                              .out);
+  CHECK(all[2]["seed"].get<std::uint64_t>() !=
+        all[0]["seed"].get<std::uint64_t>());
+  const auto part = Lines(
+      RunPlsc({"study", "list", file, "--shard", "2/3", "--format", "json"})
+          .out);
   REQUIRE(part.size() == 1);
   CHECK(part[0] == all[1]);
 }
@@ -119,10 +121,10 @@ TEST_CASE("a run of a study is the one that evolve makes", "[study]") {
   const auto listed = Lines(RunPlsc({"study", "list", file, "--only",
                                      "plastic/2", "--format", "json"})
                                 .out);
-  const std::string experiment = folder.Write(
-      "e.yaml",
-      "population: 2\noffspring: 2\ngenerations: 2\nscenario:\n"
-      "  seasons: [{name: flat, terrain: flat, duration: 1 s}]\n");
+  const std::string experiment =
+      folder.Write("e.yaml",
+                   "population: 2\noffspring: 2\ngenerations: 2\nscenario:\n"
+                   "  seasons: [{name: flat, terrain: flat, duration: 1 s}]\n");
   REQUIRE(RunPlsc({"evolve", experiment, "-o", folder / "e.sqlite", "--seed",
                    std::to_string(listed[0]["seed"].get<std::uint64_t>()),
                    "--quiet"})
@@ -190,7 +192,7 @@ TEST_CASE("what is wrong with a study is told, and nothing is begun",
        2,
        "did you mean 'status'?"},
       {"an unknown option",
-       {"study", "run", file, "--onyl", "a"},
+       {"study", "run", file, "-o", folder / "r", "--onyl", "a"},
        2,
        "did you mean '--only'?"},
       {"not a study's folder",
@@ -218,8 +220,8 @@ TEST_CASE("a folder is of one study", "[study]") {
               .exit == 0);
   std::string changed = kStudy;
   changed.replace(changed.find("offspring: 2"), 12, "offspring: 3");
-  const auto ran = RunPlsc({"study", "run", folder.Write("other.yaml", changed),
-                            "-o", results});
+  const auto ran = RunPlsc(
+      {"study", "run", folder.Write("other.yaml", changed), "-o", results});
   CHECK(ran.exit == 1);
   CHECK(Has(ran.err, "is the folder of another study"));
   CHECK(Has(ran.err, "'offspring: 2', and here 'offspring: 3'"));
