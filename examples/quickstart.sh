@@ -43,5 +43,6 @@ run develop "$robot" --svg "$output"
 say "3. both seasons in the simulator"
 run simulate "$robot" --descriptors
 say "4. a small seasonal evolution"
-run evolve examples/small.yaml -o "$output/run"
+run evolve examples/small.yaml -o "$output/run.sqlite"
+run replay "$output/run.sqlite" best
 say "done: pictures and the run are in $output"

@@ -18,7 +18,8 @@ void AddResuming(CLI::App* sub, EvolveCommand& command) {
                 "if the output exists already, go on with it (it must be of "
                 "the same experiment and seed)");
   sub->add_flag("--allow-other-version", command.allow_other_version,
-                "go on with a run that another version of plsc began");
+                "go on with a run that another version of plsc, or another kind "
+                "of machine, began");
 }
 
 void AddWorkers(CLI::App* sub, EvolveCommand& command) {

@@ -6,6 +6,7 @@
 #include "compiler/print.h"
 #include "runtime/cli/commands.h"
 #include "runtime/cli/load_yaml.h"
+#include "runtime/cli/open_run.h"
 #include "runtime/cli/progress.h"
 #include "runtime/cli/robot_text.h"
 #include "runtime/cli/run_experiment.h"
@@ -100,8 +101,15 @@ Exit Run(const EvolveCommand& command, Io& io) {
                           *wrong);
     return Exit::kBadUsage;
   }
+  MpiSession session;
+  if (MpiSession::IsUnderMpi()) {
+    if (const auto failure = session.Join(command.jobs.value_or(1), WorkFor))
+      return Complain(*failure, io);
+    if (session.rank() != 0) return session.Serve(), Exit::kFine;
+  }
   std::optional<RunRequest> request = RequestOf(command, io);
   if (!request) return Exit::kBadInput;
+  if (MpiSession::IsUnderMpi()) request->mpi = &session;
   const RunOutcome outcome = ExecuteRun(*request, io);
   if (outcome.exit == Exit::kBadInput && outcome.result.generations == 0)
     return outcome.exit;

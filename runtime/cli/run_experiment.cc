@@ -16,6 +16,7 @@
 #include "runtime/cli/progress.h"
 #include "runtime/evolve/judge.h"
 #include "runtime/evolve/worker_count.h"
+#include "runtime/evolve/worker_pool.h"
 #include "runtime/store/lock.h"
 #include "runtime/store/run_store.h"
 #include "runtime/store/shared_cache.h"
@@ -52,25 +53,14 @@ std::string_view EndingName(Ending ending) {
   return "";
 }
 
-/// Why results of two versions would be mixed; nothing if they would not.
-Failure VersionObstacle(const RunStore& store) {
-  const Versions before = store.versions();
-  const Versions now = ThisProgram();
-  if (before == now) return std::nullopt;
-  return fmt::format(
-      "'{}' was begun by plsc {} (ODE {}, compiler {}), and this is plsc {} "
-      "(ODE {}, compiler {}): the same seed may give other results. Go on with "
-      "the program that began it, or add --allow-other-version",
-      store.path(), before.plsc, before.ode, before.compiler, now.plsc, now.ode,
-      now.compiler);
-}
-
 /// A store that is ready for the run, or what is wrong.
 Failure Prepare(const RunRequest& request, RunStore& store) {
   const bool exists = std::filesystem::exists(request.path);
   if (request.experiment && !(request.may_resume && exists))
     return store.Create(request.path, *request.experiment);
-  if (Failure failure = store.Open(request.path)) return failure;
+  if (Failure failure =
+          store.Open(request.path, request.allow_other_version))
+    return failure;
   if (request.experiment &&
       PrintExperiment(*request.experiment) !=
           PrintExperiment(store.experiment()))
@@ -78,14 +68,15 @@ Failure Prepare(const RunRequest& request, RunStore& store) {
         "'{}' is a run of another experiment or seed: choose another name, or "
         "`plsc evolve --resume {}` to go on with it as it is",
         request.path, request.path);
-  if (request.allow_other_version) return std::nullopt;
-  return VersionObstacle(store);
+  return std::nullopt;
 }
 
 std::unique_ptr<Workers> WorkersFor(const RunRequest& request,
                                     const Experiment& experiment,
                                     const Work& work) {
   const double hang = request.hang_seconds.value_or(HangSeconds(experiment));
+  if (request.mpi != nullptr)
+    return request.mpi->MakeWorkers(PrintExperiment(experiment), hang);
   return std::make_unique<WorkerPool>(
       WorkerPoolOptions{WorkerCount(request.jobs.value_or(0)), hang}, work);
 }

@@ -35,6 +35,9 @@ class WorkerPool : public Workers {
       : WorkerPool(WorkerPoolOptions{workers, 0}, std::move(work)) {}
   ~WorkerPool() override;
 
+  /// As WorkerPoolOptions::hang_seconds, for requests given out from now on.
+  void SetHangSeconds(double seconds) { options_.hang_seconds = seconds; }
+
   void Submit(int ticket, std::string request) override;
   void CancelWaiting() override;
   std::vector<Reply> Wait(int timeout_ms) override;

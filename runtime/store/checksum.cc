@@ -29,14 +29,18 @@ std::string EvaluationSql() {
       "SELECT season.name, evaluation.profile, evaluation.begin, "
       "evaluation.inclination, sensed, sources, change, change_reason, "
       "evaluation.outcome, evaluation.reason, fitness, evaluation.phenotype, "
-      "body, brain, {}, evaluation.simulation, simulation.begin, "
+      "phenotype.body, body.packed, {}, phenotype.packed, {}, "
+      "evaluation.simulation, "
+      "simulation.begin, "
       "simulation.inclination, simulation.outcome, simulation.reason, "
       "is_valid, {}, state_hash, steps, solver_warnings "
       "FROM evaluation JOIN season ON season.id = evaluation.season "
       "LEFT JOIN phenotype ON phenotype.key = evaluation.phenotype "
+      "LEFT JOIN body ON body.key = phenotype.body "
       "LEFT JOIN simulation ON simulation.key = evaluation.simulation "
       "WHERE individual = ? AND season = ?",
-      fmt::join(PhenotypeColumns(), ", "), fmt::join(BehaviourColumns(), ", "));
+      fmt::join(BodyColumns(), ", "), fmt::join(BrainColumns(), ", "),
+      fmt::join(BehaviourColumns(), ", "));
 }
 
 }  // namespace

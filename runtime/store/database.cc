@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <sqlite3.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <bit>
@@ -77,16 +78,23 @@ Database::Failure CheckFile(const std::string& path, Database::Mode mode) {
   return std::nullopt;
 }
 
-/// Readers make a file of shared memory beside the store; where they cannot,
-/// and nobody can be writing, they do without.
-bool NeedsNoSharing(const std::string& path) {
-  const auto folder = std::filesystem::path(path).parent_path();
-  return access(folder.empty() ? "." : folder.c_str(), W_OK) != 0 &&
-         access((path + "-wal").c_str(), F_OK) != 0;
+/// Without a journal nobody writes, and a reader that did more than read the
+/// file would leave files of its own beside it.
+bool HasNoJournal(const std::string& path) {
+  return access((path + "-wal").c_str(), F_OK) != 0;
+}
+
+/// Changes whenever the file does: its size and when it was written.
+std::string StampOf(const std::string& path) {
+  struct stat status {};
+  if (stat(path.c_str(), &status) != 0) return "";
+  return fmt::format("{} {} {} {}", status.st_ino, status.st_size,
+                     status.st_mtim.tv_sec, status.st_mtim.tv_nsec);
 }
 
 std::string UriOf(const std::string& path) {
-  std::string uri = "file:";
+  // Two slashes would begin the name of a host.
+  std::string uri = path.starts_with("//") ? "file://" : "file:";
   for (const char c : path) {
     if (c == '%' || c == '?' || c == '#')
       uri += fmt::format("%{:02x}", static_cast<unsigned char>(c));
@@ -248,14 +256,16 @@ Database::Failure Database::Open(const std::string& path, Mode mode) {
 
 Database::Failure Database::Connect(Mode mode) {
   const bool is_reading = mode == Mode::kRead;
-  const bool is_immutable = is_reading && NeedsNoSharing(path_);
+  is_immutable_ = is_reading && HasNoJournal(path_);
+  if (is_immutable_) stamp_ = StampOf(path_);
   const int flags = is_reading ? SQLITE_OPEN_READONLY
                     : mode == Mode::kCreate
                         ? SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE
                         : SQLITE_OPEN_READWRITE;
-  const std::string name = is_immutable ? UriOf(path_) : path_;
+  const std::string name = is_immutable_ ? UriOf(path_) : path_;
   Check(sqlite3_open_v2(name.c_str(), &connection_,
-                        flags | (is_immutable ? SQLITE_OPEN_URI : 0), nullptr));
+                        flags | (is_immutable_ ? SQLITE_OPEN_URI : 0),
+                        nullptr));
   if (has_failed()) return TakeFailure();
   sqlite3_extended_result_codes(connection_, 1);
   sqlite3_busy_timeout(connection_, kPatience);
@@ -292,6 +302,10 @@ void Database::Fail(std::string failure) {
 }
 
 Database::Failure Database::TakeFailure() {
+  // Somebody began to write meanwhile; what was read may be of two instants.
+  if (is_immutable_ && StampOf(path_) != stamp_)
+    failure_ =
+        fmt::format("'{}' was changed while it was read: try again", path_);
   return std::exchange(failure_, std::nullopt);
 }
 

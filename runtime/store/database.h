@@ -120,6 +120,8 @@ class Database {
   std::string path_;
   int owner_ = 0;  // pid
   bool is_reading_ = false;
+  bool is_immutable_ = false;  // SQLite takes the file for one that stays
+  std::string stamp_;          // of a file that is taken so
   Failure failure_;
 };
 

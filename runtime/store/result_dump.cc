@@ -38,7 +38,8 @@ Loaded<std::string> DumpResults(const std::string& path) {
   {
     const Transaction instant(database);
     for (const SchemaItem& item : Schema())
-      if (item.is_table && item.is_result) AppendTable(database, item, text);
+      if (item.kind == SchemaKind::kTable && item.is_result)
+        AppendTable(database, item, text);
   }
   if (auto failure = database.TakeFailure())
     return Dump::Failed(std::move(*failure));

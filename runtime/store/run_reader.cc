@@ -7,6 +7,7 @@
 
 #include "compiler/compile.h"
 #include "runtime/store/names.h"
+#include "runtime/store/packing.h"
 #include "runtime/store/schema.h"
 
 namespace plsc {
@@ -24,20 +25,24 @@ std::string ResultsSql() {
   return fmt::format(
       "SELECT season.name, profile, evaluation.begin, evaluation.inclination, "
       "sensed, sources, change, change_reason, evaluation.outcome, "
-      "evaluation.reason, fitness, evaluation.phenotype IS NOT NULL, {}, "
+      "evaluation.reason, fitness, evaluation.phenotype IS NOT NULL, {}, {}, "
       "evaluation.simulation IS NOT NULL, {} FROM evaluation "
       "JOIN season ON season.id = evaluation.season "
       "LEFT JOIN phenotype ON phenotype.key = evaluation.phenotype "
+      "LEFT JOIN body ON body.key = phenotype.body "
       "LEFT JOIN simulation ON simulation.key = evaluation.simulation "
       "WHERE individual = ? ORDER BY season.id",
-      fmt::join(PhenotypeColumns(), ", "), SimulatedColumns());
+      fmt::join(BodyColumns(), ", "), fmt::join(BrainColumns(), ", "),
+      SimulatedColumns());
 }
 
 std::string EvidenceSql() {
   return fmt::format(
-      "SELECT evaluation.phenotype, body, brain, evaluation.simulation, {} "
+      "SELECT evaluation.phenotype, body.packed, phenotype.packed, "
+      "evaluation.simulation, {} "
       "FROM evaluation "
       "LEFT JOIN phenotype ON phenotype.key = evaluation.phenotype "
+      "LEFT JOIN body ON body.key = phenotype.body "
       "LEFT JOIN simulation ON simulation.key = evaluation.simulation "
       "WHERE individual = ? ORDER BY season",
       SimulatedColumns());
@@ -228,8 +233,8 @@ std::vector<SeasonEvidence> RunReader::FindEvidence(int id) {
   while (evidence_.Next()) {
     SeasonEvidence evidence;
     evidence.phenotype = TakeKey(evidence_, is_damaged);
-    evidence.body = evidence_.TakeText();
-    evidence.brain = evidence_.TakeText();
+    evidence.body = Unpack(evidence_.TakeText());
+    evidence.brain = Unpack(evidence_.TakeText());
     evidence.simulation = TakeKey(evidence_, is_damaged);
     if (evidence.simulation != Key{})
       evidence.simulated = TakeSimulated(evidence_, is_damaged);

@@ -56,7 +56,8 @@ Failure CheckVersions(const std::string& path, const Versions& versions) {
     if (then == now) return std::nullopt;
     return fmt::format(
         "'{}' was begun with {} {}, and this is {}: to go on would not give "
-        "the results of a run that was never interrupted",
+        "the results of a run that was never interrupted (where that does not "
+        "matter: --allow-other-version)",
         path, what, then, now);
   };
   if (auto failure = differs("plsc", versions.plsc, own.plsc)) return failure;
@@ -152,7 +153,7 @@ Failure RunStore::Create(const std::string& path, const Experiment& experiment,
   return failure;
 }
 
-Failure RunStore::Open(const std::string& path) {
+Failure RunStore::Open(const std::string& path, bool any_version) {
   parts_ = std::make_unique<Parts>();
   parts_->path = path;
   // What is no file at all is not worth a lock.
@@ -161,7 +162,7 @@ Failure RunStore::Open(const std::string& path) {
   parts_ = std::make_unique<Parts>();
   parts_->path = path;
   if (!failure) failure = parts_->lock.Take(path);
-  if (!failure) failure = CheckVersions(path, versions);
+  if (!failure && !any_version) failure = CheckVersions(path, versions);
   if (!failure) failure = Examine(path).problem;
   if (!failure) failure = parts_->Connect(Database::Mode::kWrite);
   if (failure) parts_ = std::make_unique<Parts>();
@@ -214,7 +215,12 @@ Loaded<SavedRun> RunStore::Load() {
   int next = 1;  // the first id of the generation under way
   if (saved.generations > 0) {
     const auto last = reader.FindGeneration(saved.generations - 1);
-    if (!last) return parts_->Tell(saved);
+    if (!last || last->pool.empty()) {
+      parts_->database.Fail(
+          fmt::format("'{}' is damaged: its last generation cannot be read",
+                      path()));
+      return parts_->Tell(saved);
+    }
     for (const int id : last->survivors) {
       saved.population.push_back(reader.FindIndividual(id));
       const auto place = std::find(last->pool.begin(), last->pool.end(), id);

@@ -63,8 +63,10 @@ class RunStore : public RunObserver, public SimulationCache {
   Failure Create(const std::string& path, const Experiment& experiment,
                  const std::optional<Versions>& versions = std::nullopt);
   /// For going on with a run: everything is checked first, and a store that is
-  /// damaged, or that another process works on, is refused unchanged.
-  Failure Open(const std::string& path);
+  /// damaged, or that another process works on, is refused unchanged. So is
+  /// one that another program or kind of machine began, unless `any_version`:
+  /// its results may then be those of no single program.
+  Failure Open(const std::string& path, bool any_version = false);
   /// Changes nothing, and works while another process writes. What is wrong
   /// with single values is found when they are read.
   Failure OpenForReading(const std::string& path);

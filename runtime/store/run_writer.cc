@@ -9,6 +9,7 @@
 #include "compiler/print.h"
 #include "runtime/store/genotype_parts.h"
 #include "runtime/store/names.h"
+#include "runtime/store/packing.h"
 #include "runtime/store/schema.h"
 
 namespace plsc {
@@ -25,7 +26,7 @@ std::string Insert(const std::string& table, std::vector<std::string> columns,
 
 std::vector<std::string> Joined(std::vector<std::string> first,
                                 const std::vector<std::string>& second,
-                                const std::vector<std::string>& third) {
+                                const std::vector<std::string>& third = {}) {
   first.insert(first.end(), second.begin(), second.end());
   first.insert(first.end(), third.begin(), third.end());
   return first;
@@ -101,6 +102,10 @@ std::optional<std::string> HexOf(const Key& key, bool is_there) {
   return Hex(key);
 }
 
+std::int64_t HashOf(const std::string& text) {
+  return static_cast<std::int64_t>(KeyOf(text).low);
+}
+
 template <typename T>
 std::optional<T> At(const std::vector<T>& values, std::size_t i) {
   if (i >= values.size()) return std::nullopt;
@@ -126,14 +131,15 @@ RunWriter::RunWriter(Database& database, RunReader& reader,
                           "header", "checksum"})),
       sum_individual_(database,
                       "UPDATE individual SET checksum = ? WHERE id = ?"),
-      rule_(database, Insert("rule", {"text"})),
-      find_rule_(database, "SELECT id FROM rule WHERE text = ?"),
+      rule_(database, Insert("rule", {"hash", "text"})),
+      find_rule_(database, "SELECT id FROM rule WHERE hash = ? AND text = ?"),
       genotype_rule_(database, Insert("genotype_rule",
                                       {"individual", "position", "rule"})),
-      phenotype_(database, Insert("phenotype",
-                                  Joined({"key", "body", "brain"},
-                                         PhenotypeColumns(), {}),
-                                  "ON CONFLICT DO NOTHING")),
+      body_(database, Insert("body", Joined({"key", "packed"}, BodyColumns()),
+                             "ON CONFLICT DO NOTHING")),
+      find_phenotype_(database, "SELECT 1 FROM phenotype WHERE key = ?"),
+      phenotype_(database, Insert("phenotype", Joined({"key", "body", "packed"},
+                                                      BrainColumns()))),
       simulation_(database,
                   Insert("simulation",
                          Joined({"key", "begin", "inclination", "outcome",
@@ -208,7 +214,7 @@ void RunWriter::AddIndividual(const Individual& one) {
   for (std::size_t i = 0; i < parts.rules.size(); ++i)
     genotype_rule_
         .With(one.id, static_cast<std::int64_t>(i),
-              id_of(find_rule_, rule_, parts.rules[i]))
+              id_of(find_rule_, rule_, HashOf(parts.rules[i]), parts.rules[i]))
         .Run();
   sum_individual_.With(checksums_.OfIndividual(one.id), one.id).Run();
 }
@@ -254,8 +260,17 @@ void RunWriter::AddSeason(int individual, const SeasonResult& result,
 void RunWriter::AddPhenotype(const SeasonResult& result,
                              const SeasonEvidence& evidence) {
   const std::string key = Hex(evidence.phenotype);
-  phenotype_.With(key, evidence.body, evidence.brain);
-  for (const NamedValue& value : List(result.body)) phenotype_.And(value.value);
+  if (find_phenotype_.With(key).Next()) {
+    find_phenotype_.Run();
+    return;
+  }
+  const std::string body = Hex(KeyOf(evidence.body));
+  const std::string packed_body = Pack(evidence.body);
+  body_.With(body, packed_body);
+  for (const NamedValue& value : List(result.body)) body_.And(value.value);
+  body_.Run();
+  const std::string packed_brain = Pack(evidence.brain);
+  phenotype_.With(key, body, packed_brain);
   for (const NamedValue& value : List(result.brain))
     phenotype_.And(value.value);
   phenotype_.Run();

@@ -49,6 +49,8 @@ class RunWriter {
   Statement rule_;
   Statement find_rule_;
   Statement genotype_rule_;
+  Statement body_;
+  Statement find_phenotype_;
   Statement phenotype_;
   Statement simulation_;
   Statement evaluation_;

@@ -5,14 +5,16 @@
 #include <string_view>
 
 #include "runtime/descriptors.h"
+#include "runtime/store/packing.h"
 
 namespace plsc {
 
 namespace {
 
-void Append(const std::vector<NamedValue>& list,
-            std::vector<std::string>& names) {
+std::vector<std::string> Names(const std::vector<NamedValue>& list) {
+  std::vector<std::string> names;
   for (const NamedValue& value : list) names.emplace_back(value.name);
+  return names;
 }
 
 std::string Columns(const std::vector<std::string>& names) {
@@ -77,7 +79,10 @@ constexpr const char* kIndividual = R"sql(CREATE TABLE individual(
 
 constexpr const char* kRule = R"sql(CREATE TABLE rule(
   id INTEGER PRIMARY KEY,
-  text TEXT NOT NULL UNIQUE))sql";
+  hash INTEGER NOT NULL,  -- of the text, for an index that is small
+  text TEXT NOT NULL))sql";
+
+constexpr const char* kRuleByHash = "CREATE INDEX rule_by_hash ON rule(hash)";
 
 constexpr const char* kGenotypeRule = R"sql(CREATE TABLE genotype_rule(
   individual INTEGER NOT NULL REFERENCES individual,
@@ -85,10 +90,15 @@ constexpr const char* kGenotypeRule = R"sql(CREATE TABLE genotype_rule(
   rule INTEGER NOT NULL REFERENCES rule,
   PRIMARY KEY (individual, position)) WITHOUT ROWID)sql";
 
+constexpr const char* kBody = R"sql(CREATE TABLE body(
+  key TEXT PRIMARY KEY,  -- of the modules
+  packed TEXT NOT NULL,  -- the view robot has it as JSON
+{}  CHECK (length(key) = 32)))sql";
+
 constexpr const char* kPhenotype = R"sql(CREATE TABLE phenotype(
   key TEXT PRIMARY KEY,  -- of body and brain
-  body TEXT NOT NULL,  -- JSON
-  brain TEXT NOT NULL,  -- JSON
+  body TEXT NOT NULL REFERENCES body,
+  packed TEXT NOT NULL,  -- brain; the view robot has it as JSON
 {}  CHECK (length(key) = 32)))sql";
 
 constexpr const char* kSimulation = R"sql(CREATE TABLE simulation(
@@ -171,14 +181,19 @@ constexpr const char* kResult = R"sql(CREATE VIEW result AS
     season.name AS season, evaluation.fitness, evaluation.outcome,
     evaluation.reason, evaluation.begin, evaluation.inclination,
     evaluation.sensed, evaluation.sources, evaluation.change,
-    evaluation.change_reason{}{}, simulation.steps,
+    evaluation.change_reason{}{}{}, simulation.steps,
     simulation.solver_warnings, simulation.state_hash,
     evaluation.phenotype, evaluation.simulation
   FROM evaluation
   JOIN individual ON individual.id = evaluation.individual
   JOIN season ON season.id = evaluation.season
   LEFT JOIN phenotype ON phenotype.key = evaluation.phenotype
+  LEFT JOIN body ON body.key = phenotype.body
   LEFT JOIN simulation ON simulation.key = evaluation.simulation)sql";
+
+constexpr const char* kRobot = R"sql(CREATE VIEW robot AS
+  SELECT phenotype.key AS phenotype, {} AS body, {} AS brain
+  FROM phenotype JOIN body ON body.key = phenotype.body)sql";
 
 constexpr const char* kPopulation = R"sql(CREATE VIEW population AS
   SELECT member.generation, member.survivor, member.individual AS id,
@@ -194,13 +209,14 @@ constexpr const char* kNext =
   FROM run)sql";
 
 std::vector<SchemaItem> MakeSchema() {
-  const auto phenotype = PhenotypeColumns();
+  const auto body = BodyColumns();
+  const auto brain = BrainColumns();
   const auto behaviour = BehaviourColumns();
   const auto table = [](const char* name, std::string sql, const char* order) {
-    return SchemaItem{name, std::move(sql), true, true, order};
+    return SchemaItem{name, std::move(sql), SchemaKind::kTable, true, order};
   };
   const auto view = [](const char* name, std::string sql) {
-    return SchemaItem{name, std::move(sql), false, true, ""};
+    return SchemaItem{name, std::move(sql), SchemaKind::kView, true, ""};
   };
   return {
       table("run", kRun, "id"),
@@ -209,16 +225,21 @@ std::vector<SchemaItem> MakeSchema() {
       table("header", kHeader, "id"),
       table("individual", kIndividual, "id"),
       table("rule", kRule, "id"),
+      {"rule_by_hash", kRuleByHash, SchemaKind::kIndex, true, ""},
       table("genotype_rule", kGenotypeRule, "individual, position"),
-      table("phenotype", fmt::format(kPhenotype, Columns(phenotype)), "key"),
+      table("body", fmt::format(kBody, Columns(body)), "key"),
+      table("phenotype", fmt::format(kPhenotype, Columns(brain)), "key"),
       table("simulation", fmt::format(kSimulation, Columns(behaviour)), "key"),
       table("evaluation", kEvaluation, "individual, season"),
       table("generation", kGeneration, "number"),
       table("member", kMember, "generation, individual"),
-      {"session", kSession, true, false, "id"},
+      {"session", kSession, SchemaKind::kTable, false, "id"},
       view("genotype", kGenotype),
-      view("result", fmt::format(kResult, Qualified("phenotype", phenotype),
+      view("result", fmt::format(kResult, Qualified("body", body),
+                                 Qualified("phenotype", brain),
                                  Qualified("simulation", behaviour))),
+      view("robot", fmt::format(kRobot, UnpackSql("body.packed"),
+                                UnpackSql("phenotype.packed"))),
       view("population", kPopulation),
       view("next", kNext),
   };
@@ -231,17 +252,16 @@ const std::vector<SchemaItem>& Schema() {
   return schema;
 }
 
-std::vector<std::string> PhenotypeColumns() {
-  std::vector<std::string> names;
-  Append(List(BodyDescriptors{}), names);
-  Append(List(BrainDescriptors{}), names);
-  return names;
+std::vector<std::string> BodyColumns() {
+  return Names(List(BodyDescriptors{}));
+}
+
+std::vector<std::string> BrainColumns() {
+  return Names(List(BrainDescriptors{}));
 }
 
 std::vector<std::string> BehaviourColumns() {
-  std::vector<std::string> names;
-  Append(List(Behaviour{}), names);
-  return names;
+  return Names(List(Behaviour{}));
 }
 
 }  // namespace plsc

@@ -4,6 +4,7 @@
 // `sqlite3 run.sqlite .schema` explains the file. docs/runs.md has the same in
 // words. Descriptors are columns under the names of runtime/descriptors.h.
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -14,10 +15,12 @@ inline constexpr int kApplicationId = 0x706c7363;
 /// PRAGMA user_version. To be raised by 1 at every change of the schema.
 inline constexpr int kSchemaVersion = 1;
 
+enum class SchemaKind : std::uint8_t { kTable, kIndex, kView };
+
 struct SchemaItem {
   std::string name;
   std::string sql;
-  bool is_table = true;  ///< or a view
+  SchemaKind kind = SchemaKind::kTable;
   /// Of a table: a function of the experiment and the versions alone; else it
   /// depends on the clock or the machine.
   bool is_result = true;
@@ -29,7 +32,8 @@ struct SchemaItem {
 const std::vector<SchemaItem>& Schema();
 
 /// Names of descriptors as columns, "branching, branching_modules_count, ...".
-std::vector<std::string> PhenotypeColumns();  ///< body, then brain
+std::vector<std::string> BodyColumns();
+std::vector<std::string> BrainColumns();
 std::vector<std::string> BehaviourColumns();
 
 }  // namespace plsc

@@ -5,6 +5,7 @@ for bit. Also: signals that ask, a dead worker, a second process, a full disk.
 
 usage: kill_test.py PLSC [KILLS]"""
 
+import contextlib
 import os
 import pathlib
 import random
@@ -35,7 +36,8 @@ scenario:
 
 def tables(path):
     """All result tables as text; what depends on the clock is in `session`."""
-    with sqlite3.connect(f"file:{path}?mode=ro", uri=True) as store:
+    with contextlib.closing(
+            sqlite3.connect(f"file:{path}?mode=ro", uri=True)) as store:
         names = [row[0] for row in store.execute(
             "SELECT name FROM sqlite_master WHERE type = 'table' "
             "AND name NOT LIKE 'sqlite_%' AND name != 'session' ORDER BY name")]
@@ -75,7 +77,8 @@ def wait_for(condition, seconds=60):
 
 def evaluations(path):
     try:
-        with sqlite3.connect(f"file:{path}?mode=ro", uri=True) as store:
+        with contextlib.closing(
+            sqlite3.connect(f"file:{path}?mode=ro", uri=True)) as store:
             return store.execute("SELECT count(*) FROM evaluation").fetchone()[0]
     except sqlite3.OperationalError:
         return 0
@@ -117,7 +120,7 @@ def test_signals(folder, experiment, expected):
         assert process.returncode == 130, (process.returncode, err)
         print(f"signal {number}: ended after {time.monotonic() - asked:.2f} s")
         assert f"plsc evolve --resume {path}" in err, err
-        with sqlite3.connect(path) as store:
+        with contextlib.closing(sqlite3.connect(path)) as store:
             how = store.execute("SELECT how FROM session").fetchall()
         assert how == [("stopped",)], how
         finish("--resume", path)

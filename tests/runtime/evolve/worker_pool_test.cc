@@ -268,6 +268,25 @@ TEST_CASE("A worker without memory is a death, not the end", "[workers]") {
 }
 #endif
 
+TEST_CASE("A pool that can have no workers says why", "[workers]") {
+  rlimit before{};
+  REQUIRE(getrlimit(RLIMIT_NOFILE, &before) == 0);
+  WorkerPool pool(1, [](const std::string& text) {
+    raise(SIGKILL);
+    return text;
+  });
+  // Too few to open another socket.
+  const rlimit few = {4, before.rlim_max};
+  REQUIRE(setrlimit(RLIMIT_NOFILE, &few) == 0);
+  pool.Submit(0, "");
+  while (!pool.failure()) pool.Wait(kPatience);
+  const WorkerPool none(1, [](const std::string& text) { return text; });
+  REQUIRE(setrlimit(RLIMIT_NOFILE, &before) == 0);
+  CHECK(pool.failure() == "cannot start a worker: Too many open files");
+  CHECK(pool.workers() == 0);
+  CHECK(none.failure() == pool.failure());
+}
+
 TEST_CASE("A worker that speaks without being asked is replaced", "[workers]") {
   WorkerPool pool(2, [](const std::string& text) {
     // Garbage after the answer reaches the pool when nothing is asked.
