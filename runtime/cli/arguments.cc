@@ -138,6 +138,7 @@ Command ParseArguments(const std::vector<std::string>& arguments) {
 
   CheckCommand check;
   ExplainCommand explain;
+  ExportCommand export_command;
   FixCommand fix;
   FmtCommand fmt;
   DevelopCommand develop;
@@ -155,6 +156,7 @@ Command ParseArguments(const std::vector<std::string>& arguments) {
   TestCommand test;
   const CLI::App* check_app = AddCheck(app, check);
   const CLI::App* explain_app = AddExplain(app, explain);
+  const CLI::App* export_app = AddExport(app, export_command);
   const CLI::App* fix_app = AddFix(app, fix);
   const CLI::App* fmt_app = AddFmt(app, fmt);
   const CLI::App* develop_app = AddDevelop(app, develop);
@@ -179,6 +181,7 @@ Command ParseArguments(const std::vector<std::string>& arguments) {
   }
   if (check_app->parsed()) return check;
   if (explain_app->parsed()) return explain;
+  if (export_app->parsed()) return export_command;
   if (fix_app->parsed()) return fix;
   if (fmt_app->parsed()) return fmt;
   if (develop_app->parsed()) return develop;

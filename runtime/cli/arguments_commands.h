@@ -16,6 +16,7 @@ CLI::App* AddCheck(CLI::App& app, CheckCommand& command);
 CLI::App* AddDevelop(CLI::App& app, DevelopCommand& command);
 CLI::App* AddEvolve(CLI::App& app, EvolveCommand& command);
 CLI::App* AddExplain(CLI::App& app, ExplainCommand& command);
+CLI::App* AddExport(CLI::App& app, ExportCommand& command);
 CLI::App* AddFix(CLI::App& app, FixCommand& command);
 CLI::App* AddFmt(CLI::App& app, FmtCommand& command);
 CLI::App* AddLint(CLI::App& app, LintCommand& command);

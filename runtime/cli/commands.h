@@ -36,6 +36,14 @@ struct ExplainCommand {
   OutputFormat format = OutputFormat::kText;
 };
 
+struct ExportCommand {
+  std::string file;        ///< the store of a run
+  std::string csv_folder;  ///< empty: none
+  bool jsonl = false;
+  std::string output;  ///< of --jsonl; empty: standard output
+  bool force = false;  ///< overwrites files
+};
+
 struct FixCommand {
   std::vector<std::string> files;
   bool check = false;
@@ -178,10 +186,10 @@ struct Answer {
 
 using Command =
     std::variant<Answer, CheckCommand, DevelopCommand, EvolveCommand,
-                 ExplainCommand, FixCommand, FmtCommand, LintCommand,
-                 RandomCommand, RegulateCommand, ReplayCommand, ShowCommand,
-                 SimulateCommand, StudyListCommand, StudyRunCommand,
-                 StudyStatusCommand, TestCommand, WhyCommand>;
+                 ExplainCommand, ExportCommand, FixCommand, FmtCommand,
+                 LintCommand, RandomCommand, RegulateCommand, ReplayCommand,
+                 ShowCommand, SimulateCommand, StudyListCommand,
+                 StudyRunCommand, StudyStatusCommand, TestCommand, WhyCommand>;
 
 /// `arguments` without the program's name.
 Command ParseArguments(const std::vector<std::string>& arguments);
@@ -189,6 +197,7 @@ Command ParseArguments(const std::vector<std::string>& arguments);
 Exit Run(const Answer& answer, Io& io);
 Exit Run(const CheckCommand& command, Io& io);
 Exit Run(const ExplainCommand& command, Io& io);
+Exit Run(const ExportCommand& command, Io& io);
 Exit Run(const FixCommand& command, Io& io);
 Exit Run(const FmtCommand& command, Io& io);
 Exit Run(const DevelopCommand& command, Io& io);

@@ -58,7 +58,7 @@ TEST_CASE("replay tells which stored number does not come out", "[replay]") {
        "displacement_velocity_hill"},
       {"a state", "UPDATE simulation SET state_hash = '00000000000000ff'",
        "state_hash"},
-      {"a size", "UPDATE phenotype SET absolute_size = 1 + absolute_size",
+      {"a size", "UPDATE body SET absolute_size = 1 + absolute_size",
        "absolute_size"},
       {"a fitness", "UPDATE evaluation SET fitness = 17", "fitness"},
   };
