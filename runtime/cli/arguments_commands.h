@@ -25,6 +25,14 @@ CLI::App* AddReplay(CLI::App& app, ReplayCommand& command);
 CLI::App* AddShow(CLI::App& app, ShowCommand& command);
 CLI::App* AddRegulate(CLI::App& app, RegulateCommand& command);
 CLI::App* AddSimulate(CLI::App& app, SimulateCommand& command);
+/// The commands of `plsc study`.
+struct StudyApps {
+  CLI::App* list = nullptr;
+  CLI::App* run = nullptr;
+  CLI::App* status = nullptr;
+};
+StudyApps AddStudy(CLI::App& app, StudyListCommand& list, StudyRunCommand& run,
+                   StudyStatusCommand& status);
 CLI::App* AddTest(CLI::App& app, TestCommand& command);
 CLI::App* AddWhy(CLI::App& app, WhyCommand& command);
 

@@ -224,34 +224,6 @@ void CheckTogether(YamlMap& map, const Experiment& experiment) {
     place("scenario").Report(error.code, error.message, error.help);
 }
 
-Experiment ReadExperiment(YamlMap& map) {
-  Experiment experiment;
-  map.Int("plsc_experiment", kFormat, kFormat, kFormat);
-  experiment.name = map.Text("name", "");
-  if (const auto seed = map.Find("seed"))
-    experiment.seed = seed->Unsigned().value_or(experiment.seed);
-  if (const auto robots = map.Find("robots"))
-    experiment.robots = ReadName(*robots, "a name").value_or(experiment.robots);
-  experiment.population =
-      map.Int("population", experiment.population, 2, kMaxPopulation);
-  experiment.offspring =
-      map.Int("offspring", experiment.offspring, 1, kMaxPopulation);
-  experiment.generations =
-      map.Int("generations", experiment.generations, 1, kMaxGenerations);
-  experiment.mutation =
-      map.Number("mutation", experiment.mutation, kProbability);
-  experiment.crossover =
-      map.Number("crossover", experiment.crossover, kProbability);
-  experiment.tournament =
-      map.Int("tournament", experiment.tournament, 1, kMaxTournament);
-  ReadVariation(map, experiment);
-  experiment.genotype = ReadGenotype(map);
-  ReadScenarioOf(map, experiment);
-  CheckTogether(map, experiment);
-  map.Close();
-  return experiment;
-}
-
 std::string PrintState(const State& state) {
   std::string name = PrintYamlText(state.name);
   switch (state.type) {
@@ -310,7 +282,47 @@ std::string PrintGenotypeOptions(const GenotypeOptions& options) {
   return text;
 }
 
+/// `text` with `indent` blanks before every line.
+std::string Indented(const std::string& text, int indent) {
+  std::string indented;
+  const std::string blanks(static_cast<std::size_t>(indent), ' ');
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = text.find('\n', begin) + 1;
+    indented += blanks + text.substr(begin, end - begin);
+    begin = end;
+  }
+  return indented;
+}
+
 }  // namespace
+
+Experiment ReadExperiment(YamlMap& map) {
+  Experiment experiment;
+  map.Int("plsc_experiment", kFormat, kFormat, kFormat);
+  experiment.name = map.Text("name", "");
+  if (const auto seed = map.Find("seed"))
+    experiment.seed = seed->Unsigned().value_or(experiment.seed);
+  if (const auto robots = map.Find("robots"))
+    experiment.robots = ReadName(*robots, "a name").value_or(experiment.robots);
+  experiment.population =
+      map.Int("population", experiment.population, 2, kMaxPopulation);
+  experiment.offspring =
+      map.Int("offspring", experiment.offspring, 1, kMaxPopulation);
+  experiment.generations =
+      map.Int("generations", experiment.generations, 1, kMaxGenerations);
+  experiment.mutation =
+      map.Number("mutation", experiment.mutation, kProbability);
+  experiment.crossover =
+      map.Number("crossover", experiment.crossover, kProbability);
+  experiment.tournament =
+      map.Int("tournament", experiment.tournament, 1, kMaxTournament);
+  ReadVariation(map, experiment);
+  experiment.genotype = ReadGenotype(map);
+  ReadScenarioOf(map, experiment);
+  CheckTogether(map, experiment);
+  map.Close();
+  return experiment;
+}
 
 Result<Experiment> ParseExperiment(const Source& yaml) {
   const YamlFile file(yaml);
@@ -321,11 +333,8 @@ Result<Experiment> ParseExperiment(const Source& yaml) {
   return experiment;
 }
 
-std::string PrintExperiment(const Experiment& experiment) {
-  std::string text = fmt::format("plsc_experiment: {}\n", kFormat);
-  if (!experiment.name.empty())
-    text += fmt::format("name: {}\n", PrintYamlText(experiment.name));
-  text += fmt::format("seed: {}\n", experiment.seed);
+std::string PrintExperimentKeys(const Experiment& experiment, int indent) {
+  std::string text;
   text += fmt::format("robots: {}\n", PrintYamlText(experiment.robots));
   text += fmt::format("population: {}\n", experiment.population);
   text += fmt::format("offspring: {}\n", experiment.offspring);
@@ -335,8 +344,16 @@ std::string PrintExperiment(const Experiment& experiment) {
   text += fmt::format("tournament: {}\n", experiment.tournament);
   text += PrintVariation(experiment);
   text += PrintGenotypeOptions(experiment.genotype);
-  text += "scenario:\n" + PrintScenarioKeys(experiment.scenario, 2);
-  return text;
+  return Indented(text, indent) + Indented("scenario:\n", indent) +
+         PrintScenarioKeys(experiment.scenario, indent + 2);
+}
+
+std::string PrintExperiment(const Experiment& experiment) {
+  std::string text = fmt::format("plsc_experiment: {}\n", kFormat);
+  if (!experiment.name.empty())
+    text += fmt::format("name: {}\n", PrintYamlText(experiment.name));
+  text += fmt::format("seed: {}\n", experiment.seed);
+  return text + PrintExperimentKeys(experiment, 0);
 }
 
 std::vector<Diagnostic> CheckSenses(const Experiment& experiment) {

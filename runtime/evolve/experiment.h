@@ -14,6 +14,8 @@
 
 namespace plsc {
 
+class YamlMap;
+
 /// What children get of a parent.
 enum class Inheritance : std::uint8_t {
   kGenotype,  ///< its rules as they are written
@@ -60,6 +62,14 @@ Result<Experiment> ParseExperiment(const Source& yaml);
 /// Every value written out, the scenario inline; ParseExperiment returns an
 /// equal one (but for scenario_file, which is empty then).
 std::string PrintExperiment(const Experiment& experiment);
+
+/// For experiments inside another file: reads and closes the map; what is
+/// wrong is reported in its file, and replaced by a default.
+Experiment ReadExperiment(YamlMap& map);
+
+/// The keys but plsc_experiment, name and seed, every line indented by
+/// `indent` blanks.
+std::string PrintExperimentKeys(const Experiment& experiment, int indent);
 
 /// Errors where a season has no value, or none of the right type, for a state
 /// that the experiment's clauses ask about. Without places in a text.

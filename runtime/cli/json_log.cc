@@ -1,0 +1,148 @@
+#include "runtime/cli/json_log.h"
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <chrono>
+#include <ctime>
+#include <nlohmann/json.hpp>
+#include <system_error>
+
+#include "runtime/cli/progress.h"
+
+namespace plsc::cli {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr double kPause = 10;  // s
+
+Json OrNull(const std::optional<double>& number) {
+  return number ? Json(*number) : Json(nullptr);
+}
+
+/// What every line begins with.
+Json Begin(const char* event, double seconds) {
+  Json json;
+  json["event"] = event;
+  json["time"] =
+      fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
+  json["seconds"] = seconds;
+  return json;
+}
+
+void AddProgress(const Progress& progress, const Pace& pace, Json& json) {
+  json["generation"] = progress.generation;
+  json["evaluations"] = progress.evaluations;
+  json["total"] = progress.total;
+  json["workers"] = progress.workers;
+  json["busy_workers"] = progress.busy_workers;
+  json["simulations"] = progress.simulations;
+  json["looked_up"] = progress.looked_up;
+  json["looked_up_share"] = OrNull(pace.looked_up_share);
+  json["simulated_seconds"] = progress.simulated_seconds;
+  json["evaluations_per_second"] = OrNull(pace.evaluations_per_second);
+  json["times_real"] = OrNull(pace.times_real);
+  json["seconds_left"] = OrNull(pace.seconds_left);
+  json["seasons"] = Json::array();
+  for (const SeasonProgress& season : progress.seasons)
+    json["seasons"].push_back({{"season", season.season},
+                               {"best", OrNull(season.best)},
+                               {"median", OrNull(season.median)}});
+}
+
+const char* NameOf(Ending ending) {
+  switch (ending) {
+    case Ending::kFinished:
+      return "finished";
+    case Ending::kStopped:
+      return "stopped";
+    case Ending::kFailed:
+      return "failed";
+  }
+  return "failed";
+}
+
+}  // namespace
+
+JsonLog::JsonLog(std::ostream& standard_output)
+    : standard_output_(standard_output), clock_(Stopwatch()) {}
+
+std::optional<std::string> JsonLog::Open(const std::string& path) {
+  path_ = path;
+  if (path == "-") {
+    path_ = "standard output";
+    out_ = &standard_output_;
+    return std::nullopt;
+  }
+  errno = 0;
+  file_.open(path, std::ios::app);
+  if (!file_)
+    return fmt::format(
+        "cannot write to '{}': {}", path,
+        std::error_code(errno, std::generic_category()).message());
+  out_ = &file_;
+  return std::nullopt;
+}
+
+void JsonLog::Start(const JsonLogStart& start) {
+  meter_ = PaceMeter(start.evaluations);
+  last_.evaluations = start.evaluations;
+  last_.total = start.total;
+  Json json = Begin("start", clock_());
+  json["log"] = 1;  // of this format
+  json["run"] = start.run;
+  json["experiment"] = start.experiment;
+  json["seed"] = start.seed;
+  json["generations"] = start.generations;
+  json["evaluations"] = start.evaluations;
+  json["total"] = start.total;
+  Write(json.dump());
+}
+
+void JsonLog::Show(const Progress& progress) {
+  const double now = clock_();
+  const bool is_new = !has_progress_ || progress.generation != last_.generation;
+  meter_.Add(now, progress);
+  last_ = progress;
+  has_progress_ = true;
+  if (is_new)
+    WriteProgress("generation", now);
+  else
+    Tick();
+}
+
+void JsonLog::Tick() {
+  const double now = clock_();
+  if (now - written_at_ >= kPause) WriteProgress("progress", now);
+}
+
+void JsonLog::WriteProgress(const char* event, double now) {
+  Json json = Begin(event, now);
+  AddProgress(last_, meter_.At(now), json);
+  Write(json.dump());
+  written_at_ = now;
+}
+
+void JsonLog::Finish(Ending ending, const std::string& failure) {
+  const double now = clock_();
+  Json json = Begin("end", now);
+  json["ending"] = NameOf(ending);
+  json["failure"] = ending == Ending::kFailed ? Json(failure) : Json(nullptr);
+  AddProgress(last_, meter_.At(now), json);
+  Write(json.dump());
+}
+
+void JsonLog::Write(const std::string& line) {
+  if (out_ == nullptr || failure_) return;
+  errno = 0;
+  *out_ << line << std::endl;
+  if (!*out_)
+    failure_ =
+        fmt::format("cannot write to '{}': {}", path_,
+                    std::error_code(errno, std::generic_category()).message());
+}
+
+}  // namespace plsc::cli

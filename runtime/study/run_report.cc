@@ -1,0 +1,84 @@
+#include "runtime/study/run_report.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <system_error>
+#include <utility>
+
+#include "runtime/store/lock.h"
+#include "runtime/store/run_store.h"
+#include "runtime/study/study_folder.h"
+
+namespace plsc {
+
+namespace {
+
+RunReport Damaged(std::string problem) {
+  RunReport report;
+  report.state = RunState::kDamaged;
+  report.problem = std::move(problem);
+  return report;
+}
+
+std::vector<SeasonSpeed> SpeedsOf(const Individual& best) {
+  std::vector<SeasonSpeed> speeds;
+  for (const SeasonResult& season : best.evaluation.seasons) {
+    const Behaviour& behaviour = season.behaviour;
+    speeds.push_back({season.season,
+                      behaviour.is_valid
+                          ? std::optional(behaviour.displacement_velocity_hill)
+                          : std::nullopt});
+  }
+  return speeds;
+}
+
+}  // namespace
+
+std::string_view StateName(RunState state) {
+  switch (state) {
+    case RunState::kMissing:
+      return "missing";
+    case RunState::kUnfinished:
+      return "unfinished";
+    case RunState::kRunning:
+      return "running";
+    case RunState::kDone:
+      return "done";
+    case RunState::kDamaged:
+      return "damaged";
+  }
+  return "";
+}
+
+RunReport ReportOn(const std::string& folder, const Study& study,
+                   const StudyRun& run) {
+  const std::string path = RunPath(folder, study, run);
+  std::error_code error;
+  if (!std::filesystem::exists(path, error)) return {};
+  // Asked first: a run that ends meanwhile is then taken for running, not for
+  // one that nobody works on.
+  const std::optional<std::string> worker = WhoWorksOn(path);
+  RunStore store;
+  if (auto failure = store.OpenForReading(path))
+    return Damaged(std::move(*failure));
+  if (store.experiment() != ExperimentOf(study, run))
+    return Damaged(fmt::format(
+        "'{}' is a run of another experiment or seed than the study's", path));
+  const Loaded<RunStatus> status = store.Status();
+  if (!status) return Damaged(status.failure());
+  RunReport report;
+  report.state = status->is_finished ? RunState::kDone
+                 : worker            ? RunState::kRunning
+                                     : RunState::kUnfinished;
+  report.worker = worker.value_or("");
+  report.generations = status->generations;
+  report.evaluations = status->evaluations;
+  if (status->best == 0) return report;
+  const Loaded<Individual> best = store.Find(status->best);
+  if (!best) return Damaged(best.failure());
+  report.best = SpeedsOf(*best);
+  return report;
+}
+
+}  // namespace plsc

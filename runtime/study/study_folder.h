@@ -1,0 +1,27 @@
+#pragma once
+
+// A study on the disk: FOLDER/study.yaml, the study with every value written
+// out, and FOLDER/EXPERIMENT/REPETITION.sqlite, its runs. Any number of
+// processes, on any number of hosts that see the folder, may work in it.
+
+#include <optional>
+#include <string>
+
+#include "runtime/store/loaded.h"
+#include "runtime/study/study.h"
+
+namespace plsc {
+
+/// Makes the folder, unless it is there already and of the same study. What is
+/// wrong, or nothing; a folder of another study is refused with the first line
+/// in which they differ, and nothing in it is changed.
+std::optional<std::string> PrepareFolder(const std::string& folder,
+                                         const Study& study);
+
+/// The study that a folder is of.
+Loaded<Study> StudyIn(const std::string& folder);
+
+std::string RunPath(const std::string& folder, const Study& study,
+                    const StudyRun& run);
+
+}  // namespace plsc
