@@ -86,8 +86,8 @@ Life::Life(const Genotype& genotype, const Scenario& scenario, Watcher* watcher,
       scenario_(scenario),
       inherited_(std::move(inherited)),
       watcher_(watcher),
-      teller_(std::make_unique<SeasonTeller>(genotype_, scenario_, inherited_)) {
-}
+      teller_(
+          std::make_unique<SeasonTeller>(genotype_, scenario_, inherited_)) {}
 
 Life::~Life() = default;
 

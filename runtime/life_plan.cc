@@ -40,7 +40,8 @@ Key KeyOfPhenotype(const std::optional<Phenotype>& robot) {
   return KeyOfPhenotype(BodyJson(robot->body), BrainJson(*robot));
 }
 
-/// What could develop in the season for all that could be felt. The seasons before matter only if the robot is already grown.
+/// What could develop in the season for all that could be felt. The seasons
+/// before matter only if the robot is already grown.
 std::string PossibleRobots(const Genotype& genotype, const Scenario& scenario,
                            const Senses& inherited, std::size_t season) {
   std::string robots;
@@ -132,11 +133,10 @@ std::vector<Simulated> LifePlanner::Simulate(const Genotype& genotype,
   assert(told.robot);
   const Season& season = scenario_.seasons[piece.first];
   Simulated one =
-      simulate_
-          ? simulate_(*told.robot, season)
-          : Judge(plsc::Simulate(*told.robot, season.terrain,
-                                 OptionsFor(scenario_, season)),
-                  scenario_.measured, told.result.body.absolute_size);
+      simulate_ ? simulate_(*told.robot, season)
+                : Judge(plsc::Simulate(*told.robot, season.terrain,
+                                       OptionsFor(scenario_, season)),
+                        scenario_.measured, told.result.body.absolute_size);
   one.inclination = told.result.inclination;
   return {one};
 }

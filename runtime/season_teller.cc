@@ -101,7 +101,9 @@ Told SeasonTeller::Next(double begin, std::optional<double> inclination) {
   result.inclination = inclination;
   result.sensed = SenseNow(inclination);
   told.robot =
-      IsGrown() ? robot_ : Develop(genotype_, EnvironmentOf(result.sensed, genotype_.states));
+      IsGrown()
+          ? robot_
+          : Develop(genotype_, EnvironmentOf(result.sensed, genotype_.states));
   if (told.robot) {
     TellChange(*told.robot, result);
     result.body = DescribeBody(told.robot->body);
@@ -152,9 +154,9 @@ SeasonResult Complete(SeasonResult told, const Simulated& simulated) {
 }
 
 Simulated SimulatedOf(const SeasonResult& result) {
-  return {result.begin,     result.inclination, result.outcome,
-          result.reason,    result.behaviour,   result.state_hash,
-          result.steps,     result.solver_warnings};
+  return {result.begin,  result.inclination,    result.outcome,
+          result.reason, result.behaviour,      result.state_hash,
+          result.steps,  result.solver_warnings};
 }
 
 }  // namespace plsc

@@ -44,8 +44,7 @@ class SeasonTeller {
   bool IsInherited() const { return next_ == 0 && !inherited_.empty(); }
   /// Body and brain of birth are kept.
   bool IsGrown() const;
-  std::vector<SensedState> SenseNow(
-      std::optional<double> inclination) const;
+  std::vector<SensedState> SenseNow(std::optional<double> inclination) const;
   SeasonResult Begin() const;
   void TellChange(const Phenotype& robot, SeasonResult& result) const;
 

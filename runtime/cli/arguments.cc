@@ -32,7 +32,13 @@ constexpr const char* kFooter =
 // The command that the user typed, or the whole program.
 const CLI::App& Chosen(const CLI::App& app) {
   const auto chosen = app.get_subcommands();
-  return chosen.empty() ? app : *chosen.front();
+  return chosen.empty() ? app : Chosen(*chosen.front());
+}
+
+/// "plsc study run"
+std::string FullName(const CLI::App& app) {
+  const CLI::App* parent = app.get_parent();
+  return (parent == nullptr ? "" : FullName(*parent) + " ") + app.get_name();
 }
 
 std::string DidYouMean(const std::string& word,
@@ -71,10 +77,9 @@ std::string ExplainExtras(const CLI::App& app) {
 }
 
 Answer UsageError(const CLI::App& app, const std::string& message) {
-  std::string name = "plsc";
-  if (&Chosen(app) != &app) name += " " + Chosen(app).get_name();
-  return {Exit::kBadUsage, "",
-          "plsc: " + message + "\nsee '" + name + " --help'\n"};
+  return {
+      Exit::kBadUsage, "",
+      "plsc: " + message + "\nsee '" + FullName(Chosen(app)) + " --help'\n"};
 }
 
 // Help and version are no errors; CLI11 reports both by throwing.
@@ -85,6 +90,22 @@ Answer AnswerTo(const CLI::App& app, const CLI::ParseError& error) {
   std::ostringstream err;
   if (app.exit(error, out, err) == 0) return {Exit::kFine, out.str(), ""};
   return UsageError(app, error.what());
+}
+
+/// Of the first words, the one that is no command; CLI11 would only say that a
+/// command is required.
+std::optional<Answer> UnknownCommand(
+    const CLI::App& app, const std::vector<std::string>& arguments) {
+  const CLI::App* at = &app;
+  for (const std::string& word : arguments) {
+    const std::vector<std::string> known = CommandNames(*at);
+    if (known.empty() || word.starts_with('-')) return std::nullopt;
+    if (std::find(known.begin(), known.end(), word) == known.end())
+      return UsageError(
+          *at, "unknown command '" + word + "'" + DidYouMean(word, known));
+    at = at->get_subcommand(word);
+  }
+  return std::nullopt;
 }
 
 // As CLI11 wants them: from the back. It would take "-:12:5", a place in
@@ -117,6 +138,7 @@ Command ParseArguments(const std::vector<std::string>& arguments) {
 
   CheckCommand check;
   ExplainCommand explain;
+  ExportCommand export_command;
   FixCommand fix;
   FmtCommand fmt;
   DevelopCommand develop;
@@ -127,10 +149,14 @@ Command ParseArguments(const std::vector<std::string>& arguments) {
   ReplayCommand replay;
   ShowCommand show;
   RandomCommand random;
+  StudyListCommand study_list;
+  StudyRunCommand study_run;
+  StudyStatusCommand study_status;
   WhyCommand why;
   TestCommand test;
   const CLI::App* check_app = AddCheck(app, check);
   const CLI::App* explain_app = AddExplain(app, explain);
+  const CLI::App* export_app = AddExport(app, export_command);
   const CLI::App* fix_app = AddFix(app, fix);
   const CLI::App* fmt_app = AddFmt(app, fmt);
   const CLI::App* develop_app = AddDevelop(app, develop);
@@ -140,18 +166,14 @@ Command ParseArguments(const std::vector<std::string>& arguments) {
   const CLI::App* evolve_app = AddEvolve(app, evolve);
   const CLI::App* show_app = AddShow(app, show);
   const CLI::App* replay_app = AddReplay(app, replay);
+  const StudyApps study_apps =
+      AddStudy(app, study_list, study_run, study_status);
   const CLI::App* why_app = AddWhy(app, why);
   const CLI::App* test_app = AddTest(app, test);
 
   AddRandom(app, random);
 
-  // CLI11 would only say that a subcommand is required.
-  if (!arguments.empty() && !arguments[0].starts_with('-')) {
-    const std::vector<std::string> known = CommandNames(app);
-    if (std::find(known.begin(), known.end(), arguments[0]) == known.end())
-      return UsageError(app, "unknown command '" + arguments[0] + "'" +
-                                 DidYouMean(arguments[0], known));
-  }
+  if (auto answer = UnknownCommand(app, arguments)) return *answer;
   try {
     app.parse(ForParsing(arguments));
   } catch (const CLI::ParseError& error) {
@@ -159,6 +181,7 @@ Command ParseArguments(const std::vector<std::string>& arguments) {
   }
   if (check_app->parsed()) return check;
   if (explain_app->parsed()) return explain;
+  if (export_app->parsed()) return export_command;
   if (fix_app->parsed()) return fix;
   if (fmt_app->parsed()) return fmt;
   if (develop_app->parsed()) return develop;
@@ -168,6 +191,9 @@ Command ParseArguments(const std::vector<std::string>& arguments) {
   if (evolve_app->parsed()) return evolve;
   if (show_app->parsed()) return show;
   if (replay_app->parsed()) return replay;
+  if (study_apps.list->parsed()) return study_list;
+  if (study_apps.run->parsed()) return study_run;
+  if (study_apps.status->parsed()) return study_status;
   if (why_app->parsed()) return why;
   if (test_app->parsed()) return test;
   return random;

@@ -16,6 +16,7 @@ CLI::App* AddCheck(CLI::App& app, CheckCommand& command);
 CLI::App* AddDevelop(CLI::App& app, DevelopCommand& command);
 CLI::App* AddEvolve(CLI::App& app, EvolveCommand& command);
 CLI::App* AddExplain(CLI::App& app, ExplainCommand& command);
+CLI::App* AddExport(CLI::App& app, ExportCommand& command);
 CLI::App* AddFix(CLI::App& app, FixCommand& command);
 CLI::App* AddFmt(CLI::App& app, FmtCommand& command);
 CLI::App* AddLint(CLI::App& app, LintCommand& command);
@@ -24,6 +25,14 @@ CLI::App* AddReplay(CLI::App& app, ReplayCommand& command);
 CLI::App* AddShow(CLI::App& app, ShowCommand& command);
 CLI::App* AddRegulate(CLI::App& app, RegulateCommand& command);
 CLI::App* AddSimulate(CLI::App& app, SimulateCommand& command);
+/// The commands of `plsc study`.
+struct StudyApps {
+  CLI::App* list = nullptr;
+  CLI::App* run = nullptr;
+  CLI::App* status = nullptr;
+};
+StudyApps AddStudy(CLI::App& app, StudyListCommand& list, StudyRunCommand& run,
+                   StudyStatusCommand& status);
 CLI::App* AddTest(CLI::App& app, TestCommand& command);
 CLI::App* AddWhy(CLI::App& app, WhyCommand& command);
 

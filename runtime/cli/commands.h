@@ -36,6 +36,14 @@ struct ExplainCommand {
   OutputFormat format = OutputFormat::kText;
 };
 
+struct ExportCommand {
+  std::string file;        ///< the store of a run
+  std::string csv_folder;  ///< empty: none
+  bool jsonl = false;
+  std::string output;  ///< of --jsonl; empty: standard output
+  bool force = false;  ///< overwrites files
+};
+
 struct FixCommand {
   std::vector<std::string> files;
   bool check = false;
@@ -138,6 +146,29 @@ struct WhyCommand {
 
 enum class TestFormat : std::uint8_t { kText, kJson, kJunit };
 
+struct StudyRunCommand {
+  std::string study;
+  std::string output;       ///< the study's folder
+  std::string only;         ///< "plastic" or "plastic/3"; empty: all
+  std::string shard;        ///< "2/8", well formed; empty: all
+  std::optional<int> jobs;  ///< of every run
+  std::string cache;        ///< a file; empty: none
+  bool allow_other_version = false;
+  bool quiet = false;
+};
+
+struct StudyListCommand {
+  std::string study;
+  std::string only;   ///< as StudyRunCommand's
+  std::string shard;  ///< likewise
+  OutputFormat format = OutputFormat::kText;
+};
+
+struct StudyStatusCommand {
+  std::string folder;
+  OutputFormat format = OutputFormat::kText;
+};
+
 struct TestCommand {
   std::vector<std::string> paths;
   bool update = false;
@@ -155,9 +186,10 @@ struct Answer {
 
 using Command =
     std::variant<Answer, CheckCommand, DevelopCommand, EvolveCommand,
-                 ExplainCommand, FixCommand, FmtCommand, LintCommand,
-                 RandomCommand, RegulateCommand, ReplayCommand, ShowCommand,
-                 SimulateCommand, TestCommand, WhyCommand>;
+                 ExplainCommand, ExportCommand, FixCommand, FmtCommand,
+                 LintCommand, RandomCommand, RegulateCommand, ReplayCommand,
+                 ShowCommand, SimulateCommand, StudyListCommand,
+                 StudyRunCommand, StudyStatusCommand, TestCommand, WhyCommand>;
 
 /// `arguments` without the program's name.
 Command ParseArguments(const std::vector<std::string>& arguments);
@@ -165,6 +197,7 @@ Command ParseArguments(const std::vector<std::string>& arguments);
 Exit Run(const Answer& answer, Io& io);
 Exit Run(const CheckCommand& command, Io& io);
 Exit Run(const ExplainCommand& command, Io& io);
+Exit Run(const ExportCommand& command, Io& io);
 Exit Run(const FixCommand& command, Io& io);
 Exit Run(const FmtCommand& command, Io& io);
 Exit Run(const DevelopCommand& command, Io& io);
@@ -173,6 +206,9 @@ Exit Run(const RegulateCommand& command, Io& io);
 Exit Run(const ReplayCommand& command, Io& io);
 Exit Run(const ShowCommand& command, Io& io);
 Exit Run(const SimulateCommand& command, Io& io);
+Exit Run(const StudyListCommand& command, Io& io);
+Exit Run(const StudyRunCommand& command, Io& io);
+Exit Run(const StudyStatusCommand& command, Io& io);
 Exit Run(const EvolveCommand& command, Io& io);
 Exit Run(const RandomCommand& command, Io& io);
 Exit Run(const WhyCommand& command, Io& io);

@@ -29,7 +29,9 @@ void PrintJson(const EvolveCommand& command, const RunOutcome& outcome,
   json["seconds"] = effort.seconds;
   json["cpu_seconds"] = effort.cpu_seconds;
   json["workers"] = effort.workers;
-  json["busy_share"] = effort.busy_share;
+  json["busy_share"] = effort.busy_share
+                           ? nlohmann::ordered_json(*effort.busy_share)
+                           : nlohmann::ordered_json(nullptr);
   json["simulations"] = effort.counts.simulations;
   json["looked_up"] = effort.counts.looked_up;
   json["simulated_seconds"] = effort.counts.simulated_seconds;
@@ -49,14 +51,17 @@ void PrintEffort(const Effort& effort, Io& io) {
   const auto seasons = counts.simulations + counts.looked_up;
   io.err << fmt::format(
       "{} evaluations in {} ({:.1f}/s), {:.0f} x real time, {:.0f} % of "
-      "seasons known already, {} workers {:.0f} % busy\n",
+      "seasons known already, {} workers{}\n",
       effort.evaluations, DurationText(effort.seconds),
       static_cast<double>(effort.evaluations) / effort.seconds,
       counts.simulated_seconds / effort.seconds,
       seasons == 0 ? 0.0
                    : 100.0 * static_cast<double>(counts.looked_up) /
                          static_cast<double>(seasons),
-      effort.workers, 100 * effort.busy_share);
+      effort.workers,
+      effort.busy_share
+          ? fmt::format(" {:.0f} % busy", 100 * *effort.busy_share)
+          : "");
 }
 
 /// What is asked for; nothing if the experiment is wrong, which was printed.

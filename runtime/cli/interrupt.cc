@@ -5,11 +5,12 @@ namespace plsc::cli {
 namespace {
 
 volatile std::sig_atomic_t interrupted = 0;
+int handlers = 0;  // that live
 
 }  // namespace
 
 InterruptHandler::InterruptHandler() {
-  interrupted = 0;
+  if (handlers++ == 0) interrupted = 0;
   struct sigaction action {};
   action.sa_handler = [](int) { interrupted = 1; };
   action.sa_flags = static_cast<int>(SA_RESETHAND);
@@ -18,6 +19,7 @@ InterruptHandler::InterruptHandler() {
 }
 
 InterruptHandler::~InterruptHandler() {
+  --handlers;
   ::sigaction(SIGINT, &old_int_, nullptr);
   ::sigaction(SIGTERM, &old_term_, nullptr);
 }

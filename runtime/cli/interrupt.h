@@ -8,8 +8,9 @@
 
 namespace plsc::cli {
 
-/// Takes SIGINT and SIGTERM for as long as it lives; one at a time. A second
-/// signal ends the program at once, as without us.
+/// Takes SIGINT and SIGTERM for as long as it lives. A second signal ends the
+/// program at once, as without us. One may live inside another, as a run inside
+/// a study: then a signal that came between two runs is not forgotten.
 class InterruptHandler {
  public:
   InterruptHandler();
@@ -17,7 +18,7 @@ class InterruptHandler {
   InterruptHandler(const InterruptHandler&) = delete;
   InterruptHandler& operator=(const InterruptHandler&) = delete;
 
-  /// Whether a signal came since the latest handler was made.
+  /// Whether a signal came since the outermost handler was made.
   static bool is_interrupted();
 
  private:

@@ -9,6 +9,7 @@
 #include "runtime/cli/io.h"
 #include "runtime/evolve/experiment.h"
 #include "runtime/scenario.h"
+#include "runtime/study/study.h"
 
 namespace plsc::cli {
 
@@ -18,5 +19,8 @@ std::optional<Scenario> LoadScenario(const std::string& path, Io& io);
 /// With the scenario of its own file, if it names one (relative to the
 /// experiment's folder), and checked: every season answers every state.
 std::optional<Experiment> LoadExperiment(const std::string& path, Io& io);
+
+/// Likewise, with the scenario of every experiment; none names a file then.
+std::optional<Study> LoadStudy(const std::string& path, Io& io);
 
 }  // namespace plsc::cli

@@ -52,8 +52,7 @@ struct Stored {
   std::vector<SeasonEvidence> evidence;
 };
 
-Loaded<std::vector<Stored>> Load(RunStore& store,
-                                 std::span<const int> ids) {
+Loaded<std::vector<Stored>> Load(RunStore& store, std::span<const int> ids) {
   using Batch = Loaded<std::vector<Stored>>;
   std::vector<Stored> batch;
   for (const int id : ids) {
@@ -88,8 +87,8 @@ class Replays {
     while (judging_.outstanding() > 0 && !judging_.failure())
       for (const Verdict& verdict : judging_.Wait(1000)) {
         const Stored& stored = batch[verdict.robot];
-        replayed[verdict.robot] = Compare(
-            stored.individual, stored.evidence, verdict.life);
+        replayed[verdict.robot] =
+            Compare(stored.individual, stored.evidence, verdict.life);
       }
     if (judging_.failure()) replayed.clear();
     return replayed;

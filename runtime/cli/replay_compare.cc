@@ -21,7 +21,8 @@ class Comparison {
            const std::string& now) {
     ++replayed_.values;
     if (stored != now)
-      replayed_.differences.push_back({season_, std::string(name), stored, now});
+      replayed_.differences.push_back(
+          {season_, std::string(name), stored, now});
   }
   // The shortest text that reads back equal, so equal texts are equal bits.
   void Add(std::string_view name, double stored, double now) {
@@ -93,8 +94,7 @@ Replayed Compare(const Individual& stored,
     comparison.Add("body", before.body, after.body);
     comparison.Add("brain", before.brain, after.brain);
     comparison.Add("phenotype", Hex(before.phenotype), Hex(after.phenotype));
-    comparison.Add("simulation", Hex(before.simulation),
-                   Hex(after.simulation));
+    comparison.Add("simulation", Hex(before.simulation), Hex(after.simulation));
   }
   return replayed;
 }

@@ -27,10 +27,9 @@ std::string SeasonsText(const Individual& one) {
     // Nothing was sensed where a life did not reach.
     if (season.sensed.size() == one.genotype.states.size() &&
         season.body.absolute_size > 0)
-      text += BodyText(
-          Develop(one.genotype,
-                  EnvironmentOf(season.sensed, one.genotype.states))
-              ->body);
+      text += BodyText(Develop(one.genotype, EnvironmentOf(season.sensed,
+                                                           one.genotype.states))
+                           ->body);
     text += '\n';
   }
   return text;

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "runtime/cli/interrupt.h"
+#include "runtime/cli/json_log.h"
 #include "runtime/cli/open_run.h"
 #include "runtime/cli/progress.h"
 #include "runtime/evolve/judge.h"
@@ -58,12 +59,10 @@ Failure Prepare(const RunRequest& request, RunStore& store) {
   const bool exists = std::filesystem::exists(request.path);
   if (request.experiment && !(request.may_resume && exists))
     return store.Create(request.path, *request.experiment);
-  if (Failure failure =
-          store.Open(request.path, request.allow_other_version))
+  if (Failure failure = store.Open(request.path, request.allow_other_version))
     return failure;
-  if (request.experiment &&
-      PrintExperiment(*request.experiment) !=
-          PrintExperiment(store.experiment()))
+  if (request.experiment && PrintExperiment(*request.experiment) !=
+                                PrintExperiment(store.experiment()))
     return fmt::format(
         "'{}' is a run of another experiment or seed: choose another name, or "
         "`plsc evolve --resume {}` to go on with it as it is",
@@ -81,40 +80,68 @@ std::unique_ptr<Workers> WorkersFor(const RunRequest& request,
       WorkerPoolOptions{WorkerCount(request.jobs.value_or(0)), hang}, work);
 }
 
+/// Where a run's results and what is told of it go.
+struct Stores {
+  RunStore run;
+  std::optional<SharedCache> cache;
+  JsonLog log;
+};
+
 /// Runs what the store has not got yet; prints nothing but progress.
-void Live(const RunRequest& request, RunStore& store, SharedCache* cache,
-          SavedRun saved, RunOutcome& outcome, Io& io) {
+void Live(const RunRequest& request, Stores& stores, SavedRun saved,
+          RunOutcome& outcome, Io& io) {
+  RunStore& store = stores.run;
+  JsonLog& log = stores.log;
   const Experiment& experiment = outcome.experiment;
   Effort& effort = outcome.effort;
-  ProgressLine line(io.err, io.err_is_terminal, experiment.generations);
+  const std::int64_t done_before = saved.evaluations;
+  ProgressLine line(io.err, io.err_is_terminal, experiment.generations,
+                    done_before);
   EvolveOptions options;
   options.make_workers = [&](const Work& work) {
     return WorkersFor(request, experiment, work);
   };
   options.caches = {&store};
-  if (cache != nullptr) options.caches.push_back(cache);
-  const std::int64_t done_before = saved.evaluations;
+  if (stores.cache) options.caches.push_back(&*stores.cache);
   options.saved = std::move(saved);
   options.observers = {&store};
   const InterruptHandler handler;
-  options.should_stop = [] { return InterruptHandler::is_interrupted(); };
+  options.should_stop = [&] {  // asked ten times a second
+    if (!request.quiet) line.Tick();
+    log.Tick();
+    return InterruptHandler::is_interrupted();
+  };
   options.on_progress = [&](const Progress& progress) {
     effort.workers = progress.workers;
     if (!request.quiet) line.Show(progress);
+    log.Show(progress);
   };
+  log.Start({request.path, experiment.name, experiment.seed,
+             experiment.generations, done_before, Evaluations(experiment)});
   const double children_before = CpuSeconds(RUSAGE_CHILDREN);
   const double own_before = CpuSeconds(RUSAGE_SELF);
   outcome.result = Evolve(experiment, options);
-  line.Finish();
+  if (!request.quiet) line.Finish();
+  log.Finish(outcome.result.ending, outcome.result.failure);
   const double children = CpuSeconds(RUSAGE_CHILDREN) - children_before;
   effort.seconds = line.seconds();
   effort.cpu_seconds = children + CpuSeconds(RUSAGE_SELF) - own_before;
   // Workers are children that have ended when the run returns, so their CPU
   // time over what they could have had is how busy they were.
-  effort.busy_share =
-      children / (effort.seconds * std::max(effort.workers, 1));
+  if (request.mpi == nullptr)
+    effort.busy_share =
+        children / (effort.seconds * std::max(effort.workers, 1));
   effort.evaluations = outcome.result.evaluations - done_before;
   effort.counts = outcome.result.counts_of_work;
+}
+
+/// The shared cache and the log, if they are wanted.
+Failure OpenOthers(const RunRequest& request, Stores& stores) {
+  if (!request.cache.empty())
+    if (Failure failure = stores.cache.emplace().Open(request.cache))
+      return failure;
+  if (request.json_log.empty()) return std::nullopt;
+  return stores.log.Open(request.json_log);
 }
 
 SessionEnd EndOf(const RunOutcome& outcome) {
@@ -122,8 +149,7 @@ SessionEnd EndOf(const RunOutcome& outcome) {
   SessionEnd end;
   end.ended = UtcNow();
   end.how = EndingName(outcome.result.ending);
-  if (!outcome.result.failure.empty())
-    end.how += ": " + outcome.result.failure;
+  if (!outcome.result.failure.empty()) end.how += ": " + outcome.result.failure;
   end.workers = effort.workers;
   end.evaluations = effort.evaluations;
   end.simulated = effort.counts.simulations;
@@ -162,7 +188,8 @@ RunOutcome ExecuteRun(const RunRequest& request, Io& io) {
     outcome.exit = Complain(failure, io);
     return outcome;
   };
-  RunStore store;
+  Stores stores{{}, {}, JsonLog(io.out)};
+  RunStore& store = stores.run;
   if (const Failure failure = Prepare(request, store)) {
     outcome.is_locked = WhoWorksOn(request.path).has_value();
     return complain(*failure);
@@ -170,19 +197,16 @@ RunOutcome ExecuteRun(const RunRequest& request, Io& io) {
   outcome.experiment = store.experiment();
   Loaded<SavedRun> saved = store.Load();
   if (!saved) return complain(saved.failure());
-  std::optional<SharedCache> cache;
-  if (!request.cache.empty()) {
-    cache.emplace();
-    if (const Failure failure = cache->Open(request.cache))
-      return complain(*failure);
-  }
+  if (const Failure failure = OpenOthers(request, stores))
+    return complain(*failure);
   if (const Failure failure =
           store.BeginSession({UtcNow(), request.jobs.value_or(0)}))
     return complain(*failure);
-  Live(request, store, cache ? &*cache : nullptr, std::move(*saved), outcome,
-       io);
-  if (cache && cache->warning())
-    io.err << fmt::format("warning: {}\n", *cache->warning());
+  Live(request, stores, std::move(*saved), outcome, io);
+  for (const Failure& warning :
+       {stores.cache ? stores.cache->warning() : Failure(),
+        stores.log.failure()})
+    if (warning) io.err << fmt::format("warning: {}\n", *warning);
   Failure closing = store.EndSession(EndOf(outcome));
   if (const Failure failure = store.Close(); failure && !closing)
     closing = failure;

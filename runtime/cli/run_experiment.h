@@ -33,7 +33,8 @@ struct RunRequest {
 struct Effort {
   double seconds = 0;
   double cpu_seconds = 0;
-  double busy_share = 0;  ///< of the local workers' time
+  /// Of the workers' time; nothing under MPI, where others know it.
+  std::optional<double> busy_share;
   int workers = 0;
   std::int64_t evaluations = 0;
   JudgingCounts counts;

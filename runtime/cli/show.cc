@@ -25,13 +25,13 @@ std::string Origin(const Heritage& heritage, const Alphabet& alphabet) {
     std::vector<std::string> heads;
     for (const SymbolId head : heritage.from_second)
       heads.push_back(alphabet[head].name);
-    text += fmt::format(" ({} of {})", fmt::join(heads, ", "),
-                        heritage.parents[1]);
+    text +=
+        fmt::format(" ({} of {})", fmt::join(heads, ", "), heritage.parents[1]);
   }
   if (heritage.mutation)
-    text += fmt::format(", {} of rule {}",
-                        MutationName(heritage.mutation->kind),
-                        heritage.mutation->rule + 1);
+    text +=
+        fmt::format(", {} of rule {}", MutationName(heritage.mutation->kind),
+                    heritage.mutation->rule + 1);
   return text;
 }
 
@@ -65,8 +65,8 @@ Json HeritageJson(const Heritage& heritage, const Alphabet& alphabet) {
   json["mutation"] = heritage.mutation
                          ? Json(MutationName(heritage.mutation->kind))
                          : Json(nullptr);
-  json["mutated_rule"] = heritage.mutation ? Json(heritage.mutation->rule + 1)
-                                           : Json(nullptr);
+  json["mutated_rule"] =
+      heritage.mutation ? Json(heritage.mutation->rule + 1) : Json(nullptr);
   json["senses"] = heritage.senses;
   return json;
 }
@@ -120,11 +120,10 @@ Exit ShowIndividual(const ShowCommand& command, RunStore& store, Io& io) {
     return Exit::kFine;
   }
   const Alphabet& alphabet = *one->genotype.alphabet;
-  io.out << fmt::format("{} of generation {}: {}\n\nlineage:\n{}\n{}\n{}",
-                        one->genotype.name, one->generation,
-                        Origin(one->heritage, alphabet),
-                        LineageText(*lineage, alphabet), Print(one->genotype),
-                        SeasonsText(*one));
+  io.out << fmt::format(
+      "{} of generation {}: {}\n\nlineage:\n{}\n{}\n{}", one->genotype.name,
+      one->generation, Origin(one->heritage, alphabet),
+      LineageText(*lineage, alphabet), Print(one->genotype), SeasonsText(*one));
   return Exit::kFine;
 }
 

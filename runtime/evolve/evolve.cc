@@ -219,8 +219,8 @@ class Run {
     progress.simulations = judging_.counts().simulations;
     progress.looked_up = judging_.counts().looked_up;
     progress.simulated_seconds = judging_.counts().simulated_seconds;
-    progress.seasons = Summarise(
-        result_.population.empty() ? robots : result_.population);
+    progress.seasons =
+        Summarise(result_.population.empty() ? robots : result_.population);
     options_.on_progress(progress);
   }
 

@@ -38,8 +38,8 @@ std::size_t TakeNumber(std::string_view& text) {
 // genotype.
 std::string RequestFor(const Genotype& genotype, const Senses& inherited,
                        const LifePiece& piece) {
-  std::string text = fmt::format("{}\n{}\n{}\n", piece.first,
-                                 piece.keys.size(), inherited.size());
+  std::string text = fmt::format("{}\n{}\n{}\n", piece.first, piece.keys.size(),
+                                 inherited.size());
   for (const auto& [name, value] : inherited)
     text += fmt::format("{}\n{}\n", name, value);
   return text + Print(genotype);
@@ -87,15 +87,15 @@ double HangSeconds(const Experiment& experiment) {
 std::vector<Simulated> SimulatedOf(const Reply& reply, std::size_t seasons) {
   if (reply.answer) {
     std::optional<std::vector<Simulated>> simulated = Unpack(*reply.answer);
-    if (simulated && simulated->size() == seasons)
-      return std::move(*simulated);
+    if (simulated && simulated->size() == seasons) return std::move(*simulated);
   }
   Simulated died;
   died.outcome = Outcome::kWorkerDied;
   died.reason = reply.answer ? "the process that simulated it answered nonsense"
-                             : fmt::format("the process that simulated it "
-                                           "died, twice: {}",
-                                           reply.death);
+                             : fmt::format(
+                                   "the process that simulated it "
+                                   "died, twice: {}",
+                                   reply.death);
   return std::vector<Simulated>(seasons, died);
 }
 

@@ -96,9 +96,8 @@ std::vector<Verdict> Judging::Wait(int timeout_ms) {
   for (; !known_.empty(); known_.pop_front(), --outstanding_) {
     const std::size_t i = known_.front();
     const Individual& one = (*robots_)[i];
-    verdicts.push_back(
-        {i, planner_.Assemble(one.genotype, one.heritage.senses,
-                              lives_[i].seasons)});
+    verdicts.push_back({i, planner_.Assemble(one.genotype, one.heritage.senses,
+                                             lives_[i].seasons)});
     lives_[i] = {};
   }
   return verdicts;

@@ -39,8 +39,8 @@ class Unpacker {
     }
     std::uint64_t word = 0;
     for (int i = 0; i < 8; ++i)
-      word |= std::uint64_t{static_cast<unsigned char>(rest_[
-                  static_cast<std::size_t>(i)])}
+      word |= std::uint64_t{static_cast<unsigned char>(
+                  rest_[static_cast<std::size_t>(i)])}
               << (8 * i);
     rest_.remove_prefix(8);
     return word;

@@ -25,14 +25,18 @@ std::string SystemReason(int error) {
   return std::error_code(error, std::generic_category()).message();
 }
 
-std::string Explain(sqlite3* connection, const std::string& path, int code) {
+/// `last_error`: the system's, after the call that failed. SQLite keeps it of
+/// some calls only.
+std::string Explain(sqlite3* connection, const std::string& path, int code,
+                    int last_error) {
   const char* said = sqlite3_errmsg(connection);
-  const int error = sqlite3_system_errno(connection);
+  const int kept = sqlite3_system_errno(connection);
+  const int error = kept != 0 ? kept : last_error;
   const std::string reason = error != 0 ? SystemReason(error) : said;
   switch (code & 0xff) {  // the rest says more of it
     case SQLITE_FULL:
       return fmt::format("cannot write to '{}': {}", path,
-                         error != 0 ? reason : "no space left");
+                         SystemReason(ENOSPC));
     case SQLITE_IOERR:
       return fmt::format("cannot read or write '{}': {}", path, reason);
     case SQLITE_CANTOPEN:
@@ -164,6 +168,7 @@ void Statement::Run() {
 bool Statement::Next() {
   column_ = 0;
   if (statement_ == nullptr || database_.has_failed()) return false;
+  errno = 0;
   const int code = sqlite3_step(statement_);
   if (code == SQLITE_ROW) return true;
   if (code != SQLITE_DONE) database_.Check(code);
@@ -289,12 +294,14 @@ void Database::Close() {
 
 void Database::Run(const std::string& sql) {
   if (connection_ == nullptr || has_failed()) return;
+  errno = 0;
   Check(sqlite3_exec(connection_, sql.c_str(), nullptr, nullptr, nullptr));
 }
 
 void Database::Check(int code) {
+  const int last_error = errno;
   if (code != SQLITE_OK && !failure_)
-    failure_ = Explain(connection_, path_, code);
+    failure_ = Explain(connection_, path_, code, last_error);
 }
 
 void Database::Fail(std::string failure) {

@@ -216,9 +216,8 @@ Loaded<SavedRun> RunStore::Load() {
   if (saved.generations > 0) {
     const auto last = reader.FindGeneration(saved.generations - 1);
     if (!last || last->pool.empty()) {
-      parts_->database.Fail(
-          fmt::format("'{}' is damaged: its last generation cannot be read",
-                      path()));
+      parts_->database.Fail(fmt::format(
+          "'{}' is damaged: its last generation cannot be read", path()));
       return parts_->Tell(saved);
     }
     for (const int id : last->survivors) {
@@ -252,6 +251,22 @@ Loaded<Individual> RunStore::Find(int id) {
   assert(parts_->reader);
   const Transaction instant(parts_->database);
   return parts_->Tell(parts_->reader->FindIndividual(id));
+}
+
+Loaded<int> RunStore::Born() {
+  assert(parts_->reader);
+  Statement last(parts_->database, "SELECT max(id) FROM individual");
+  return parts_->Tell(last.With().Next() ? last.TakeInt() : 0);
+}
+
+Loaded<GenerationRecord> RunStore::Generation(int number) {
+  assert(parts_->reader);
+  const Transaction instant(parts_->database);
+  auto record = parts_->reader->FindGeneration(number);
+  if (!record)
+    parts_->database.Fail(
+        fmt::format("'{}' has no generation {}", path(), number));
+  return parts_->Tell(std::move(record).value_or(GenerationRecord{}));
 }
 
 Loaded<std::vector<int>> RunStore::EvaluatedIds() {

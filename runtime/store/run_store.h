@@ -85,6 +85,9 @@ class RunStore : public RunObserver, public SimulationCache {
   /// With its evaluation, if it has one, every field as it was, bit for bit
   /// (but that -0 became 0).
   Loaded<Individual> Find(int id);
+  /// Individuals, from id 1 to this.
+  Loaded<int> Born();
+  Loaded<GenerationRecord> Generation(int number);
   /// Everybody who was evaluated, in order of id.
   Loaded<std::vector<int>> EvaluatedIds();
   /// Those behind Find(id).evaluation: keys, body and brain.

@@ -46,8 +46,9 @@ std::string ToHex(const std::string& bytes) {
 /// Nothing if it is no such text.
 std::optional<std::string> FromHex(const std::string& text) {
   const auto digit = [](char c) {
-    return c >= '0' && c <= '9' ? c - '0' : c >= 'a' && c <= 'f' ? c - 'a' + 10
-                                                                 : -1;
+    return c >= '0' && c <= '9'   ? c - '0'
+           : c >= 'a' && c <= 'f' ? c - 'a' + 10
+                                  : -1;
   };
   if (text.size() % 2 != 0) return std::nullopt;
   std::string bytes;
@@ -110,9 +111,9 @@ SharedCache::Failure SharedCache::Open(const std::string& path,
   database_.Run(kSetUp);
   {
     Transaction transaction(database_);
-    database_.Run(fmt::format(
-        "PRAGMA application_id = {}; PRAGMA user_version = {};", kApplication,
-        kFormat));
+    database_.Run(
+        fmt::format("PRAGMA application_id = {}; PRAGMA user_version = {};",
+                    kApplication, kFormat));
     database_.Run(kTables);
     Statement(database_, "INSERT OR IGNORE INTO engine(text) VALUES(?)")
         .With(engine)

@@ -54,13 +54,16 @@ class Visitor {
                        ReportOn(folder_, study_, run));
       return true;
     }
-    if (end == RunEnd::kFailed) {
-      // Another process may have taken it since we looked.
-      const RunReport now = ReportOn(folder_, study_, run);
-      if (now.state == RunState::kRunning || now.state == RunState::kDone) {
-        Leave(run, now);
-        return true;
-      }
+    const RunReport now = ReportOn(folder_, study_, run);
+    if (end == RunEnd::kInUse) {
+      ++result.in_use;
+      options_.on_step(run, StudyStep::kInUse, now);
+      return true;
+    }
+    // Another process may even have done it since we looked.
+    if (end == RunEnd::kFailed && now.state == RunState::kDone) {
+      Leave(run, now);
+      return true;
     }
     result.end = end;
     result.stopped_in = run;

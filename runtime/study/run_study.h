@@ -13,13 +13,18 @@
 
 namespace plsc {
 
-enum class RunEnd : std::uint8_t { kFinished, kStopped, kFailed };
+enum class RunEnd : std::uint8_t {
+  kFinished,
+  kStopped,
+  kInUse,  ///< by another process, which began since we looked
+  kFailed,
+};
 
 struct RunTask {
   StudyRun run;
   std::string path;  ///< of its store
   Experiment experiment;
-  bool resume = false;  ///< the store is there already
+  bool resume = false;  ///< the store was there when we looked
 };
 
 /// What happened to a run, for whoever prints.

@@ -33,7 +33,8 @@ double CpuSeconds(int who) {
   rusage usage{};
   getrusage(who, &usage);
   const auto seconds = [](const timeval& t) {
-    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+    return static_cast<double>(t.tv_sec) +
+           1e-6 * static_cast<double>(t.tv_usec);
   };
   return seconds(usage.ru_utime) + seconds(usage.ru_stime);
 }
@@ -120,8 +121,7 @@ void ReportStubbed(const Experiment& experiment, const std::string& path) {
   fmt::print(
       "stubbed: {} robots in {:.1f} s ({:.0f}/s), known already {:.1f} % of "
       "seasons\n",
-      result.evaluations, WallSeconds() - wall,
-      robots / (WallSeconds() - wall),
+      result.evaluations, WallSeconds() - wall, robots / (WallSeconds() - wall),
       100.0 * static_cast<double>(result.counts_of_work.looked_up) /
           (2 * robots));
   fmt::print("  coordinator {:.3f} ms CPU a robot, of it the store {:.3f} ms\n",

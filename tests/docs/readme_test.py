@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Runs everything that README.md and the documents in docs/ show: each genotype
-of a `pls` block is a file of its name, and each `$ command` of a console block
+of a `pls` block is a file of its name, each `yaml` block that begins with such a
+comment as `# study.yaml` is that file, and each `$ command` of a console block
 is run in one folder a document and its output compared.
 `...` in the shown output stands for anything, also at the end of a line.
 
@@ -46,12 +47,16 @@ def matches(expected, actual):
 
 
 def programs(text):
-    """{file name: text} of the document's genotypes that have a name."""
+    """{file name: text} of the document's blocks that have a name."""
     result = {}
     for program in blocks(text, "pls"):
         name = re.search(r"^genotype (\w+)", program, re.M)
         if name:
             result[name[1] + ".pls"] = program
+    for block in blocks(text, "yaml"):
+        name = re.match(r"# (\w+\.yaml)\n", block)
+        if name:
+            result[name[1]] = block
     return result
 
 

@@ -74,10 +74,10 @@ TEST_CASE("Every season is lived by the robot that develops for it",
   CHECK(tilted.behaviour.is_valid);
   CHECK(tilted.behaviour.head_balance < 1);
   // Nobody told it: it felt the slope.
-  CHECK(flat.sensed == std::vector<SensedState>{
-            {"inclined", "False", SenseSource::kImu}});
-  CHECK(tilted.sensed == std::vector<SensedState>{
-            {"inclined", "True", SenseSource::kImu}});
+  CHECK(flat.sensed ==
+        std::vector<SensedState>{{"inclined", "False", SenseSource::kImu}});
+  CHECK(tilted.sensed ==
+        std::vector<SensedState>{{"inclined", "True", SenseSource::kImu}});
   CHECK(*flat.inclination < 0.001);
   CHECK(*tilted.inclination == Approx(0.0873).margin(0.018));
   CHECK(flat.change == Change::kBorn);
@@ -180,8 +180,7 @@ TEST_CASE("A season may give what the robot would feel", "[evaluation]") {
   scenario.seasons[1].senses["inclined"] = "False";
   const SeasonResult tilted = Evaluate(Robot(kPlastic), scenario).seasons[1];
   CHECK(tilted.sensed ==
-        std::vector<SensedState>{
-            {"inclined", "False", SenseSource::kSeason}});
+        std::vector<SensedState>{{"inclined", "False", SenseSource::kSeason}});
   CHECK_FALSE(tilted.inclination);
   CHECK(tilted.change == Change::kNone);
   CHECK(tilted.body.brick_count == 1);

@@ -33,16 +33,15 @@ TEST_CASE("A season is told from what is felt", "[season_teller]") {
   REQUIRE(teller.AsksImu());
   const Told flat = teller.Next(0, kLevel);
   CHECK(flat.result.season == "flat");
-  CHECK(flat.result.sensed == std::vector<SensedState>{
-                                  {"inclined", "False", SenseSource::kImu}});
+  CHECK(flat.result.sensed ==
+        std::vector<SensedState>{{"inclined", "False", SenseSource::kImu}});
   CHECK(flat.result.body.absolute_size == 3);
   CHECK(flat.result.change == Change::kBorn);
   const Told tilted = teller.Next(50, kSlope);
   CHECK(tilted.result.begin == 50);
   CHECK(tilted.result.sensed[0].value == "True");
   CHECK(tilted.result.change == Change::kBody);
-  CHECK(tilted.result.change_reason ==
-        "inclined False -> True (IMU 5.0 deg)");
+  CHECK(tilted.result.change_reason == "inclined False -> True (IMU 5.0 deg)");
   CHECK(tilted.robot == Develop(genotype, EnvironmentOf(tilted.result.sensed,
                                                         genotype.states)));
   CHECK(teller.is_over());
@@ -72,8 +71,8 @@ TEST_CASE("What is inherited goes before the senses of the first season",
   SeasonTeller teller(genotype, scenario, inherited);
   CHECK_FALSE(teller.AsksImu());
   const Told flat = teller.Next(0, std::nullopt);
-  CHECK(flat.result.sensed == std::vector<SensedState>{
-                                  {"inclined", "True", SenseSource::kParent}});
+  CHECK(flat.result.sensed ==
+        std::vector<SensedState>{{"inclined", "True", SenseSource::kParent}});
   CHECK(flat.result.change_reason == "inclined=True (parent)");
   CHECK(flat.result.body.brick_count == 2);
   // Later it senses for itself.

@@ -33,8 +33,8 @@ TEST_CASE("evolve runs both encodings to the end", "[evolve]") {
     INFO(encoding);
     const test::TemporaryFolder folder;
     const std::string file = folder.Write("e.yaml", Experiment(encoding));
-    const auto ran = RunPlsc({"evolve", file, "-o", folder / "run.sqlite", "--jobs",
-                              "2", "--format", "json"});
+    const auto ran = RunPlsc({"evolve", file, "-o", folder / "run.sqlite",
+                              "--jobs", "2", "--format", "json"});
     INFO(ran.err);
     REQUIRE(ran.exit == 0);
     const json summary = json::parse(ran.out);
@@ -52,7 +52,8 @@ TEST_CASE("evolve runs both encodings to the end", "[evolve]") {
 TEST_CASE("evolve prints the best robot's genotype and bodies", "[evolve]") {
   const test::TemporaryFolder folder;
   const std::string file = folder.Write("e.yaml", Experiment("plasticoding"));
-  const auto ran = RunPlsc({"evolve", file, "-o", folder / "run.sqlite", "--quiet"});
+  const auto ran =
+      RunPlsc({"evolve", file, "-o", folder / "run.sqlite", "--quiet"});
   REQUIRE(ran.exit == 0);
   CHECK(ran.err.empty());
   CHECK(ran.out.find("best robot: robot_") == 0);
@@ -101,8 +102,7 @@ TEST_CASE("evolve never touches what exists", "[evolve]") {
   CHECK(ReadFile(taken) == "mine");
 }
 
-TEST_CASE("evolve goes on with a run of the same experiment only",
-          "[evolve]") {
+TEST_CASE("evolve goes on with a run of the same experiment only", "[evolve]") {
   const test::TemporaryFolder folder;
   const std::string file = folder.Write("e.yaml", Experiment("plasticoding"));
   const std::string run = folder / "run.sqlite";
@@ -138,9 +138,8 @@ TEST_CASE("a shared cache saves simulations and changes no bit", "[evolve]") {
   const test::TemporaryFolder folder;
   const std::string file = folder.Write("e.yaml", Experiment("plasticoding"));
   const auto evolve = [&](const char* run, std::vector<std::string> more) {
-    std::vector<std::string> arguments = {"evolve",  file,       "-o",
-                                          folder / run, "--quiet", "--format",
-                                          "json"};
+    std::vector<std::string> arguments = {
+        "evolve", file, "-o", folder / run, "--quiet", "--format", "json"};
     arguments.insert(arguments.end(), more.begin(), more.end());
     const auto ran = RunPlsc(arguments);
     INFO(ran.err);

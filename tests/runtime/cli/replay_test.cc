@@ -34,8 +34,7 @@ TEST_CASE("every robot of a run comes out again, bit for bit", "[replay]") {
   INFO(best.err);
   CHECK(best.exit == 0);
   CHECK(best.out.find("values in 2 seasons equal") != std::string::npos);
-  const auto all =
-      RunPlsc({"replay", run.path(), "--all", "--format", "json"});
+  const auto all = RunPlsc({"replay", run.path(), "--all", "--format", "json"});
   INFO(all.err);
   CHECK(all.exit == 0);
   CHECK(std::count(all.out.begin(), all.out.end(), '\n') == 18);
@@ -59,15 +58,15 @@ TEST_CASE("replay tells which stored number does not come out", "[replay]") {
        "displacement_velocity_hill"},
       {"a state", "UPDATE simulation SET state_hash = '00000000000000ff'",
        "state_hash"},
-      {"a size", "UPDATE phenotype SET absolute_size = 1 + absolute_size",
+      {"a size", "UPDATE body SET absolute_size = 1 + absolute_size",
        "absolute_size"},
       {"a fitness", "UPDATE evaluation SET fitness = 17", "fitness"},
   };
   for (const Row& row : rows) {
     DYNAMIC_SECTION(row.why) {
       const test::TemporaryFolder folder;
-      const auto ran = RunPlsc(
-          {"replay", Changed(folder, row.sql), "--all", "--jobs", "2"});
+      const auto ran =
+          RunPlsc({"replay", Changed(folder, row.sql), "--all", "--jobs", "2"});
       CHECK(ran.exit == 1);
       CHECK(ran.out.find(row.name) != std::string::npos);
       CHECK(ran.err.find("came out otherwise") != std::string::npos);

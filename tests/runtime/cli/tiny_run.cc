@@ -16,9 +16,8 @@ scenario:
 )";
 
 TinyRun::TinyRun() {
-  const auto ran =
-      RunPlsc({"evolve", folder_.Write("e.yaml", kTinyExperiment), "-o", path(),
-               "--quiet", "--format", "json"});
+  const auto ran = RunPlsc({"evolve", folder_.Write("e.yaml", kTinyExperiment),
+                            "-o", path(), "--quiet", "--format", "json"});
   assert(ran.exit == 0);
   summary_ = nlohmann::json::parse(ran.out);
 }

@@ -189,8 +189,7 @@ TEST_CASE("The number of workers changes nothing", "[evolve]") {
   CheckSame(one, three);
 }
 
-TEST_CASE("Nothing is simulated twice, and caches change nothing",
-          "[evolve]") {
+TEST_CASE("Nothing is simulated twice, and caches change nothing", "[evolve]") {
   // Small genotypes, so that many robots are lone cores.
   Experiment experiment = SmallExperiment();
   experiment.genotype.max_groups = 1;

@@ -28,8 +28,8 @@ Simulated Look(const Phenotype& robot, const Season& season) {
   }
   double liked = 0;
   for (const Module& module : robot.body.modules)
-    liked += is_flat ? IsJoint(module.type) : module.type ==
-                                                  ModuleType::kTouchSensor;
+    liked += is_flat ? IsJoint(module.type)
+                     : module.type == ModuleType::kTouchSensor;
   seen.behaviour.is_valid = true;
   seen.behaviour.displacement_velocity_hill =
       0.01 + liked / 3 + 1e-3 * static_cast<double>(NumberOf(robot) % 7);

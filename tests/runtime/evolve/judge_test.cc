@@ -17,12 +17,10 @@ Genotype Robot() {
 
 }  // namespace
 
-TEST_CASE("A worker simulates the piece of the life that was sent",
-          "[judge]") {
+TEST_CASE("A worker simulates the piece of the life that was sent", "[judge]") {
   const LifePlanner planner(PaperScenario(), test::Look);
   const Work work = WorkOf(planner);
-  for (const Senses& inherited :
-       {Senses{}, Senses{{"inclined", "True"}}}) {
+  for (const Senses& inherited : {Senses{}, Senses{{"inclined", "True"}}}) {
     for (const LifePiece& piece : planner.Plan(Robot(), inherited)) {
       CAPTURE(piece.first, inherited.size());
       const std::string answer = work(RequestFor(Robot(), inherited, piece));

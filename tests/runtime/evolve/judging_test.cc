@@ -30,9 +30,7 @@ class Here : public Workers {
   }
   int workers() const override { return 1; }
   int busy() const override { return 0; }
-  int outstanding() const override {
-    return static_cast<int>(waiting_.size());
-  }
+  int outstanding() const override { return static_cast<int>(waiting_.size()); }
   const std::optional<std::string>& failure() const override {
     return failure_;
   }
@@ -103,8 +101,7 @@ TEST_CASE("A death is an outcome, and the end of workers a failure",
   judging.Begin(robots);
   while (judging.outstanding() > 0)
     for (const Verdict& verdict : judging.Wait(0))
-      CHECK(verdict.life.evaluation.seasons[1].outcome ==
-            Outcome::kWorkerDied);
+      CHECK(verdict.life.evaluation.seasons[1].outcome == Outcome::kWorkerDied);
   CHECK_FALSE(judging.failure());
   judging.Begin(robots);
   workers.Fail();

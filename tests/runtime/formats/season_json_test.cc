@@ -25,7 +25,8 @@ TEST_CASE("a season tells what was sensed and what changed", "[season_json]") {
   SeasonResult result;
   result.profile = Profile::kPublished;
   result.begin = 50;
-  result.sensed = {{"inclined", "True", true}, {"hot", "False", false}};
+  result.sensed = {{"inclined", "True", SenseSource::kImu},
+                   {"hot", "False", SenseSource::kSeason}};
   result.inclination = 0.0875;
   result.change = Change::kBody;
   result.change_reason = "inclined False -> True";

@@ -80,8 +80,7 @@ TEST_CASE("What another program simulated is not found", "[shared_cache]") {
   CHECK(ThisEngine() == ThisEngine());
 }
 
-TEST_CASE("What is no cache is refused, and stays as it is",
-          "[shared_cache]") {
+TEST_CASE("What is no cache is refused, and stays as it is", "[shared_cache]") {
   const Scratch scratch;
   std::ofstream(scratch.path()) << "a text that was here before";
   SharedCache cache;

@@ -153,6 +153,18 @@ TEST_CASE("A run that fails ends the study there", "[run_study]") {
 
 TEST_CASE("A run that another process took meanwhile is left", "[run_study]") {
   Fixture fixture;
+  fixture.options.execute = [&](const RunTask& task) {
+    return task.run == StudyRun{0, 1} ? RunEnd::kInUse : test::Execute(task);
+  };
+  const StudyResult result = fixture.Run();
+  CHECK(result.end == RunEnd::kFinished);
+  CHECK(result.finished == 3);
+  CHECK(result.in_use == 1);
+  CHECK(fixture.steps[1] == "plastic/1 in use");
+}
+
+TEST_CASE("A run that another process did meanwhile is left", "[run_study]") {
+  Fixture fixture;
   int executed = 0;
   fixture.options.execute = [&](const RunTask& task) {
     // As if the other had done it between our look and our try.

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/runtime/store/stored_run.h"
 #include "tests/runtime/study/small_study.h"
 
 namespace plsc {
@@ -78,6 +79,35 @@ TEST_CASE("A printed study reads back equal", "[study]") {
   CHECK(PrintStudy(Parsed(text)) == text);
   study.experiments[1].experiment.tournament = 3;
   CHECK(PrintStudy(study) != text);
+}
+
+TEST_CASE("The example studies are right", "[study]") {
+  const auto read = [](const char* name) {
+    return Parsed(
+        test::ReadBytes(std::string(PLSC_SOURCE_DIR "/examples/") + name));
+  };
+  const Study paper = read("paper_study.yaml");
+  CHECK(RunsOf(paper).size() == 4 * 20);
+  // The paper's experiment is what all defaults are; and its two halves.
+  const Experiment defaults;
+  CHECK(paper.experiments[0].experiment == defaults);
+  Experiment expected = defaults;
+  expected.genotype.encoding = Encoding::kBaseline;
+  CHECK(paper.experiments[1].experiment == expected);
+  for (const std::size_t season : {0u, 1u}) {
+    Experiment half = expected;
+    half.scenario.seasons = {defaults.scenario.seasons[season]};
+    half.scenario.name.clear();
+    Experiment found = paper.experiments[2 + season].experiment;
+    // Given in the paper's scenario and asked about by no clause.
+    half.scenario.seasons[0].senses.clear();
+    CHECK(found == half);
+  }
+
+  const Study small = read("small_study.yaml");
+  REQUIRE(small.experiments.size() == paper.experiments.size());
+  for (std::size_t i = 0; i < small.experiments.size(); ++i)
+    CHECK(small.experiments[i].name == paper.experiments[i].name);
 }
 
 TEST_CASE("Mistakes in a study are shown where they are, and once", "[study]") {

@@ -1,0 +1,143 @@
+#include "runtime/store/export.h"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <ostream>
+#include <system_error>
+
+#include "runtime/cli/commands.h"
+#include "runtime/cli/open_run.h"
+
+namespace plsc::cli {
+
+namespace {
+
+using Failure = std::optional<std::string>;
+
+std::string SystemReason(int error) {
+  return std::error_code(error, std::generic_category()).message();
+}
+
+/// A file that takes its name when it is written to its end.
+class NewFile {
+ public:
+  explicit NewFile(std::string path)
+      : path_(std::move(path)),
+        beside_(path_ + ".new"),
+        file_(beside_, std::ios::binary | std::ios::trunc) {}
+  ~NewFile() {
+    std::error_code ignored;
+    if (!is_done_) std::filesystem::remove(beside_, ignored);
+  }
+  NewFile(const NewFile&) = delete;
+  NewFile& operator=(const NewFile&) = delete;
+
+  Failure Write(std::string_view text) {
+    file_ << text;
+    return Check();
+  }
+  Failure Finish() {
+    file_.flush();
+    if (Failure failure = Check()) return failure;
+    file_.close();
+    if (std::rename(beside_.c_str(), path_.c_str()) != 0) return Explain();
+    is_done_ = true;
+    return std::nullopt;
+  }
+
+ private:
+  Failure Check() {
+    if (file_) return std::nullopt;
+    return Explain();
+  }
+  Failure Explain() const {
+    return fmt::format("cannot write to '{}': {}", path_, SystemReason(errno));
+  }
+
+  std::string path_;
+  std::string beside_;
+  std::ofstream file_;
+  bool is_done_ = false;
+};
+
+Failure CheckFree(const std::string& path, bool force) {
+  if (force || !std::filesystem::exists(path)) return std::nullopt;
+  return fmt::format("'{}' exists; --force overwrites it", path);
+}
+
+/// What could be read of a damaged run is a file, too.
+template <typename Writer>
+Failure WriteFileWith(const std::string& path, const Writer& write) {
+  NewFile file(path);
+  bool is_written = true;
+  Failure failure = write([&](std::string_view text) {
+    Failure wrong = file.Write(text);
+    is_written = is_written && !wrong;
+    return wrong;
+  });
+  if (!is_written) return failure;
+  Failure unfinished = file.Finish();
+  return failure ? failure : unfinished;
+}
+
+Failure ExportTables(const ExportCommand& command) {
+  const std::filesystem::path folder = command.csv_folder;
+  const auto path_of = [&](const CsvTable& table) {
+    return (folder / (table.name + ".csv")).string();
+  };
+  for (const CsvTable& table : CsvTables())
+    if (Failure failure = CheckFree(path_of(table), command.force))
+      return failure;
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error)
+    return fmt::format("cannot create '{}': {}", command.csv_folder,
+                       error.message());
+  Failure first;
+  for (const CsvTable& table : CsvTables()) {
+    Failure failure = WriteFileWith(path_of(table), [&](const Sink& sink) {
+      return WriteCsv(command.file, table, sink);
+    });
+    if (failure && !first) first = std::move(failure);
+  }
+  return first;
+}
+
+Failure ExportLines(const ExportCommand& command, Io& io) {
+  if (command.output.empty())
+    return WriteJsonl(command.file, [&](std::string_view text) -> Failure {
+      io.out << text;
+      if (io.out) return std::nullopt;
+      return "cannot write to standard output";
+    });
+  if (Failure failure = CheckFree(command.output, command.force))
+    return failure;
+  return WriteFileWith(command.output, [&](const Sink& sink) {
+    return WriteJsonl(command.file, sink);
+  });
+}
+
+}  // namespace
+
+Exit Run(const ExportCommand& command, Io& io) {
+  if (command.csv_folder.empty() && !command.jsonl) {
+    io.err << "plsc: export as what? add --csv FOLDER or --jsonl\n"
+              "see 'plsc export --help'\n";
+    return Exit::kBadUsage;
+  }
+  {
+    // Nothing is written for what is no run.
+    RunStore store;
+    if (const Failure failure = store.OpenForReading(command.file))
+      return Complain(*failure, io);
+  }
+  const Failure failure =
+      command.jsonl ? ExportLines(command, io) : ExportTables(command);
+  return failure ? Complain(*failure, io) : Exit::kFine;
+}
+
+}  // namespace plsc::cli

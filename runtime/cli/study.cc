@@ -1,0 +1,168 @@
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+#include <ostream>
+
+#include "runtime/cli/commands.h"
+#include "runtime/cli/interrupt.h"
+#include "runtime/cli/load_yaml.h"
+#include "runtime/cli/run_experiment.h"
+#include "runtime/study/run_study.h"
+#include "runtime/study/slice.h"
+#include "runtime/study/study_folder.h"
+
+namespace plsc::cli {
+
+namespace {
+
+/// The runs that `--only` and `--shard` choose; what is wrong is printed.
+std::optional<std::vector<StudyRun>> ChosenRuns(const Study& study,
+                                                const std::string& only,
+                                                const std::string& shard,
+                                                Io& io) {
+  if (const auto problem = CheckOnly(study, only)) {
+    io.err << fmt::format("error: {}\n", *problem);
+    return std::nullopt;
+  }
+  return RunsIn(study, only, ParseShard(shard).value_or(Shard{}));
+}
+
+std::string Plural(std::size_t count) {
+  return fmt::format("{} run{}", count, count == 1 ? "" : "s");
+}
+
+RunEnd EndOf(const RunOutcome& outcome) {
+  if (outcome.is_locked) return RunEnd::kInUse;
+  switch (outcome.exit) {
+    case Exit::kFine:
+      return RunEnd::kFinished;
+    case Exit::kInterrupted:
+      return RunEnd::kStopped;
+    default:
+      return RunEnd::kFailed;
+  }
+}
+
+RunEnd Execute(const RunTask& task, const StudyRunCommand& command, Io& io) {
+  RunRequest request;
+  request.path = task.path;
+  request.experiment = task.experiment;
+  // Also of a run that seemed missing: another process may have begun and left
+  // it meanwhile.
+  request.may_resume = true;
+  request.allow_other_version = command.allow_other_version;
+  request.jobs = command.jobs;
+  request.cache = command.cache;
+  request.quiet = command.quiet;
+  return EndOf(ExecuteRun(request, io));
+}
+
+std::string StepText(StudyStep step, const RunReport& report) {
+  switch (step) {
+    case StudyStep::kBegins:
+      return "begins";
+    case StudyStep::kResumes:
+      return fmt::format("goes on after {} generations", report.generations);
+    case StudyStep::kFinished:
+      return fmt::format("done, {} evaluations", report.evaluations);
+    case StudyStep::kDoneBefore:
+      return "is done";
+    case StudyStep::kInUse:
+      return fmt::format("left: {} works on it", report.worker.empty()
+                                                     ? "another process"
+                                                     : report.worker);
+    case StudyStep::kDamaged:
+      return fmt::format("left: {}", report.problem);
+  }
+  return "";
+}
+
+/// As the user would type it again.
+std::string CommandText(const StudyRunCommand& command) {
+  std::string text =
+      fmt::format("plsc study run {} -o {}", command.study, command.output);
+  if (!command.only.empty()) text += " --only " + command.only;
+  if (!command.shard.empty()) text += " --shard " + command.shard;
+  if (command.jobs) text += fmt::format(" --jobs {}", *command.jobs);
+  if (!command.cache.empty()) text += " --cache " + command.cache;
+  return text;
+}
+
+Exit Conclude(const StudyRunCommand& command, const Study& study,
+              std::size_t runs, const StudyResult& result, Io& io) {
+  io.out << fmt::format("{}: {} done now, {} before", Plural(runs),
+                        result.finished, result.done_before);
+  if (result.in_use > 0)
+    io.out << fmt::format(", {} left to other processes", result.in_use);
+  if (result.damaged > 0) io.out << fmt::format(", {} damaged", result.damaged);
+  io.out << '\n';
+  if (result.stopped_in)
+    io.err << fmt::format(
+        "the study {} in {}; go on with\n  {}\n",
+        result.end == RunEnd::kStopped ? "was stopped" : "failed",
+        RunName(study, *result.stopped_in), CommandText(command));
+  switch (result.end) {
+    case RunEnd::kStopped:
+      return Exit::kInterrupted;
+    case RunEnd::kFailed:
+      return Exit::kBadInput;
+    default:
+      return Exit::kFine;
+  }
+}
+
+}  // namespace
+
+Exit Run(const StudyListCommand& command, Io& io) {
+  const std::optional<Study> study = LoadStudy(command.study, io);
+  if (!study) return Exit::kBadInput;
+  const auto runs = ChosenRuns(*study, command.only, command.shard, io);
+  if (!runs) return Exit::kBadInput;
+  std::int64_t evaluations = 0;
+  for (const StudyRun& run : *runs) {
+    const Experiment experiment = ExperimentOf(*study, run);
+    evaluations += Evaluations(experiment);
+    if (command.format == OutputFormat::kText) {
+      io.out << fmt::format("{:16} seed {:<20}  {} evaluations\n",
+                            RunName(*study, run), experiment.seed,
+                            Evaluations(experiment));
+      continue;
+    }
+    nlohmann::ordered_json json;
+    json["experiment"] = study->experiments[run.experiment].name;
+    json["repetition"] = run.repetition;
+    json["seed"] = experiment.seed;
+    json["evaluations"] = Evaluations(experiment);
+    io.out << json.dump() << '\n';
+  }
+  if (command.format == OutputFormat::kText)
+    io.out << fmt::format("{}, {} evaluations\n", Plural(runs->size()),
+                          evaluations);
+  return Exit::kFine;
+}
+
+Exit Run(const StudyRunCommand& command, Io& io) {
+  const std::optional<Study> study = LoadStudy(command.study, io);
+  if (!study) return Exit::kBadInput;
+  const auto runs = ChosenRuns(*study, command.only, command.shard, io);
+  if (!runs) return Exit::kBadInput;
+  if (const auto failure = PrepareFolder(command.output, *study)) {
+    io.err << fmt::format("error: {}\n", *failure);
+    return Exit::kBadInput;
+  }
+  const InterruptHandler handler;
+  StudyOptions options;
+  options.execute = [&](const RunTask& task) {
+    return Execute(task, command, io);
+  };
+  options.on_step = [&](const StudyRun& run, StudyStep step,
+                        const RunReport& report) {
+    if (command.quiet && step != StudyStep::kDamaged) return;
+    io.err << fmt::format("{} {}\n", RunName(*study, run),
+                          StepText(step, report));
+  };
+  const StudyResult result = RunStudy(command.output, *study, *runs, options);
+  return Conclude(command, *study, runs->size(), result, io);
+}
+
+}  // namespace plsc::cli

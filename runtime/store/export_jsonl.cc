@@ -1,0 +1,118 @@
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "compiler/print.h"
+#include "runtime/formats/season_json.h"
+#include "runtime/store/export.h"
+
+namespace plsc {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string Dump(const Json& json) {
+  // What a damaged file has for a text may be no UTF-8.
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+std::string RunLine(const RunStore& store) {
+  const Experiment& experiment = store.experiment();
+  Json run;
+  run["name"] = experiment.name;
+  run["seed"] = experiment.seed;
+  run["evaluations"] = Evaluations(experiment);
+  run["seasons"] = Json::array();
+  for (const Season& season : experiment.scenario.seasons)
+    run["seasons"].push_back(season.name);
+  const Versions& versions = store.versions();
+  run["versions"] = {{"plsc", versions.plsc},
+                     {"ode", versions.ode},
+                     {"compiler", versions.compiler},
+                     {"machine", versions.machine}};
+  // With every constant of the physics, as text that reads back equal.
+  run["experiment"] = PrintExperiment(experiment);
+  run["scenario"] = PrintScenario(experiment.scenario);
+  return Dump({{"run", run}}) + "\n";
+}
+
+Json HeritageJson(const Individual& one) {
+  const Heritage& heritage = one.heritage;
+  Json json;
+  json["parents"] = heritage.parents;
+  json["from_second"] = Json::array();
+  for (const SymbolId head : heritage.from_second)
+    json["from_second"].push_back((*one.genotype.alphabet)[head].name);
+  json["mutation"] = nullptr;
+  json["mutated_rule"] = nullptr;
+  if (heritage.mutation) {
+    json["mutation"] = MutationName(heritage.mutation->kind);
+    json["mutated_rule"] = heritage.mutation->rule;
+  }
+  json["senses"] = Json::object();
+  for (const auto& [state, value] : heritage.senses)
+    json["senses"][state] = value;
+  return json;
+}
+
+std::string IndividualLine(const Individual& one) {
+  Json json;
+  json["id"] = one.id;
+  json["generation"] = one.generation;
+  json.update(HeritageJson(one));
+  json["genotype"] = Print(one.genotype);
+  std::string text = Dump(json);
+  text.pop_back();  // the closing brace: the seasons are still to come
+  std::string seasons;
+  for (const SeasonResult& season : one.evaluation.seasons) {
+    if (!seasons.empty()) seasons += ',';
+    seasons += SeasonJson(one.genotype.name, season);
+  }
+  return fmt::format("{{\"individual\":{},\"seasons\":[{}]}}}}\n", text,
+                     seasons);
+}
+
+std::string GenerationLine(const GenerationRecord& record) {
+  Json json;
+  json["generation"] = record.generation;
+  json["best"] = record.best;
+  json["pool"] = record.pool;
+  json["counts"] = record.counts;
+  json["survivors"] = record.survivors;
+  return Dump(json) + "\n";
+}
+
+}  // namespace
+
+std::optional<std::string> WriteJsonl(const std::string& run,
+                                      const Sink& sink) {
+  RunStore store;
+  if (auto failure = store.OpenForReading(run)) return failure;
+  if (auto failure = sink(RunLine(store))) return failure;
+  const Loaded<int> born = store.Born();
+  if (!born) return born.failure();
+  // What can be read of a damaged run is written; the rest is told at the end.
+  std::optional<std::string> damage;
+  for (int id = 1; id <= *born; ++id) {
+    const Loaded<Individual> one = store.Find(id);
+    if (!one) {
+      if (!damage) damage = one.failure();
+      continue;
+    }
+    if (auto failure = sink(IndividualLine(*one))) return failure;
+  }
+  const Loaded<RunStatus> status = store.Status();
+  if (!status) return status.failure();
+  for (int g = 0; g < status->generations; ++g) {
+    const Loaded<GenerationRecord> record = store.Generation(g);
+    if (!record) {
+      if (!damage) damage = record.failure();
+      continue;
+    }
+    if (auto failure = sink(GenerationLine(*record))) return failure;
+  }
+  return damage;
+}
+
+}  // namespace plsc

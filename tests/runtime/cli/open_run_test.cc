@@ -1,0 +1,39 @@
+#include "runtime/cli/open_run.h"
+
+#include <catch2/catch.hpp>
+
+#include "tests/runtime/cli/tiny_run.h"
+
+namespace plsc {
+namespace {
+
+TEST_CASE("individuals are named by number, or best", "[open_run]") {
+  RunStore store;
+  REQUIRE_FALSE(store.OpenForReading(test::FinishedRun().path()));
+  CHECK(*cli::IdOf(store, "7") == 7);
+  const int best = test::FinishedRun().summary()["best"]["id"];
+  CHECK(*cli::IdOf(store, "best") == best);
+  for (const char* name : {"", "0", "-1", "7x", "x", "1e3", "99999999999"}) {
+    INFO(name);
+    const Loaded<int> id = cli::IdOf(store, name);
+    CHECK_FALSE(id);
+    CHECK(id.failure().find("expected the number of a robot") !=
+          std::string::npos);
+  }
+  CHECK(*cli::IdsOf(store, {}) == std::vector<int>{best});
+  CHECK(*cli::IdsOf(store, {"3", "1"}) == std::vector<int>{3, 1});
+  CHECK_FALSE(cli::IdsOf(store, {"3", "none"}));
+  CHECK(cli::EvaluatedIds(store)->size() == 18);
+}
+
+TEST_CASE("a run without a generation has no best", "[open_run]") {
+  const test::TemporaryFolder folder;
+  RunStore store;
+  REQUIRE_FALSE(store.Create(folder / "run", Experiment{}));
+  CHECK(cli::IdOf(store, "best").failure().find("no generation") !=
+        std::string::npos);
+  CHECK(cli::EvaluatedIds(store).failure().find("nobody") != std::string::npos);
+}
+
+}  // namespace
+}  // namespace plsc
