@@ -119,7 +119,7 @@ Statement::Statement(Database& database, const std::string& sql)
 
 Statement::~Statement() {
   // The connection is the parent's in a child of a fork.
-  if (database_.owner_ == getpid()) sqlite3_finalize(statement_);
+  if (database_.is_own()) sqlite3_finalize(statement_);
 }
 
 Statement::Statement(Statement&& other) noexcept
@@ -287,9 +287,13 @@ Database::Failure Database::Connect(Mode mode) {
   return TakeFailure();
 }
 
+bool Database::is_own() const {
+  return owner_ == getpid();
+}
+
 void Database::Close() {
   sqlite3* connection = std::exchange(connection_, nullptr);
-  if (connection != nullptr && owner_ == getpid()) sqlite3_close(connection);
+  if (connection != nullptr && is_own()) sqlite3_close(connection);
 }
 
 void Database::Run(const std::string& sql) {

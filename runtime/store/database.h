@@ -100,6 +100,8 @@ class Database {
   /// file is the parent's.
   void Close();
   bool is_open() const { return connection_ != nullptr; }
+  /// Opened by this very process, not by a parent of it.
+  bool is_own() const;
   const std::string& path() const { return path_; }
 
   /// One or several statements without parameters.

@@ -182,8 +182,9 @@ Failure RunStore::Close() {
   Failure failure = parts.database.TakeFailure();
   // The journal goes into the file now and not at some later opening, so that
   // the file alone is the run.
-  if (parts.writer && !failure) {
-    parts.database.Run("PRAGMA wal_checkpoint(TRUNCATE)");
+  if (parts.writer && !failure && parts.database.is_own()) {
+    // Passive: whoever reads for long is not waited for.
+    parts.database.Run("PRAGMA wal_checkpoint(PASSIVE)");
     failure = parts.database.TakeFailure();
   }
   parts.writer.reset();

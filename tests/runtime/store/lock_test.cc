@@ -108,6 +108,34 @@ TEST_CASE("A child of who holds a run's lock neither has it nor drops it",
   CHECK(WEXITSTATUS(status) == 0);
 }
 
+TEST_CASE("A child that ends in good order leaves its parent's run alone",
+          "[lock]") {
+  const test::Scratch scratch;
+  const std::string run = scratch / "run";
+  const test::Recorder recorder = test::RecordRun(test::StoredExperiment());
+  RunStore store;
+  REQUIRE(store.Create(run, test::StoredExperiment()) == std::nullopt);
+  REQUIRE(test::Show(recorder, store, 0, 1) == "");
+  const std::vector<std::string> files = {"run", "run-shm", "run-wal",
+                                          "run.lock"};
+  CHECK(scratch.Files() == files);
+  const std::string bytes = test::ReadBytes(run);
+  const pid_t child = fork();
+  REQUIRE(child >= 0);
+  if (child == 0) {
+    const bool is_quiet = !store.Close();  // as destructors would
+    _exit(is_quiet ? 0 : 1);
+  }
+  int status = 0;
+  REQUIRE(waitpid(child, &status, 0) == child);
+  CHECK(WEXITSTATUS(status) == 0);
+  CHECK(scratch.Files() == files);
+  CHECK(test::ReadBytes(run) == bytes);
+  CHECK(store.Load()->generations == 1);
+  CHECK(store.Close() == std::nullopt);
+  CHECK(scratch.Files() == std::vector<std::string>{"run"});
+}
+
 TEST_CASE("A lock that cannot be made says why", "[lock]") {
   const test::Scratch scratch;
   RunLock lock;
