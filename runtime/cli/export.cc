@@ -5,7 +5,6 @@
 #include <cerrno>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <ostream>
 #include <system_error>
 
@@ -22,14 +21,17 @@ std::string SystemReason(int error) {
   return std::error_code(error, std::generic_category()).message();
 }
 
-/// A file that takes its name when it is written to its end.
+/// A file that takes its name when it is written to its end. Of the C library,
+/// whose functions say why they failed.
 class NewFile {
  public:
   explicit NewFile(std::string path)
       : path_(std::move(path)),
         beside_(path_ + ".new"),
-        file_(beside_, std::ios::binary | std::ios::trunc) {}
+        file_(std::fopen(beside_.c_str(), "wb")),
+        error_(file_ != nullptr ? 0 : errno) {}
   ~NewFile() {
+    if (file_ != nullptr) std::fclose(file_);
     std::error_code ignored;
     if (!is_done_) std::filesystem::remove(beside_, ignored);
   }
@@ -37,30 +39,31 @@ class NewFile {
   NewFile& operator=(const NewFile&) = delete;
 
   Failure Write(std::string_view text) {
-    file_ << text;
+    if (error_ == 0 &&
+        std::fwrite(text.data(), 1, text.size(), file_) != text.size())
+      error_ = errno;
     return Check();
   }
   Failure Finish() {
-    file_.flush();
-    if (Failure failure = Check()) return failure;
-    file_.close();
-    if (std::rename(beside_.c_str(), path_.c_str()) != 0) return Explain();
-    is_done_ = true;
-    return std::nullopt;
+    // Closing writes what is buffered, and may fail as writing does.
+    if (error_ == 0 && std::fclose(std::exchange(file_, nullptr)) != 0)
+      error_ = errno;
+    if (error_ == 0 && std::rename(beside_.c_str(), path_.c_str()) != 0)
+      error_ = errno;
+    is_done_ = error_ == 0;
+    return Check();
   }
 
  private:
-  Failure Check() {
-    if (file_) return std::nullopt;
-    return Explain();
-  }
-  Failure Explain() const {
-    return fmt::format("cannot write to '{}': {}", path_, SystemReason(errno));
+  Failure Check() const {
+    if (error_ == 0) return std::nullopt;
+    return fmt::format("cannot write to '{}': {}", path_, SystemReason(error_));
   }
 
   std::string path_;
   std::string beside_;
-  std::ofstream file_;
+  std::FILE* file_;
+  int error_;
   bool is_done_ = false;
 };
 

@@ -57,7 +57,7 @@ class JsonLog {
   std::ostream* out_ = nullptr;  // nullptr: not open
   std::string path_;
   std::optional<std::string> failure_;
-  std::function<double()> clock_;  // s since Start
+  std::function<double()> clock_;  // s since the log was made
   PaceMeter meter_;
   Progress last_;
   bool has_progress_ = false;

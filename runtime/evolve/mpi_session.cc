@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <poll.h>
 #include <signal.h>
+#include <unistd.h>
 
 #include <cassert>
 #include <cstdlib>
@@ -27,6 +28,16 @@ std::optional<int> LaunchedRanks() {
   for (const char* name : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE"})
     if (const char* value = std::getenv(name)) return std::atoi(value);
   return std::nullopt;
+}
+
+/// mpirun sends on SIGUSR1, and kills what it gives SIGTERM a second later:
+/// so the one is the way to ask for the other.
+void SetSignals(int rank) {
+  if (rank == 0) {
+    signal(SIGUSR1, [](int) { kill(getpid(), SIGTERM); });
+  } else {
+    for (const int stop : {SIGINT, SIGTERM, SIGUSR1}) signal(stop, SIG_IGN);
+  }
 }
 
 }  // namespace
@@ -54,6 +65,7 @@ std::optional<std::string> MpiSession::Join(int workers, MakeWork make_work) {
     return "started by mpirun with more than one rank, but built without MPI; "
            "build plsc where cmake finds MPI (libopenmpi-dev), or start it "
            "without mpirun";
+  SetSignals(rank());
   // A launcher of another MPI starts N ranks that do not know of each other.
   const std::optional<int> launched = LaunchedRanks();
   if (launched && *launched != size())
@@ -98,8 +110,6 @@ std::unique_ptr<Workers> MpiSession::MakeWorkers(std::string setup,
 
 void MpiSession::Serve() {
   assert(state_->link && rank() != 0);
-  signal(SIGINT, SIG_IGN);
-  signal(SIGTERM, SIG_IGN);
   RankServer(*state_->link, *state_->pool).Serve();
 }
 

@@ -40,11 +40,10 @@ class MpiSession {
   MpiSession& operator=(const MpiSession&) = delete;
 
   /// Forks this rank's `workers` (0: as many as the cores that it may use; so
-  /// call it from the only thread), and then
-  /// meets the other ranks; once in a process. Workers are told what to do by
-  /// MakeWorkers, so they read no file, and only rank 0 needs to see any. What
-  /// went wrong: ranks that cannot meet must not go on, as each of them would
-  /// do the same run.
+  /// call it from the only thread), and then meets the other ranks; once in a
+  /// process. Workers are told what to do by MakeWorkers, so they read no file,
+  /// and only rank 0 needs to see any. What went wrong: ranks that cannot meet
+  /// must not go on, as each of them would do the same run.
   std::optional<std::string> Join(int workers, MakeWork make_work);
 
   /// 0 and 1 before Join.
@@ -54,8 +53,9 @@ class MpiSession {
   /// Rank 0: the workers of all ranks, for the run that `setup` tells of. The
   /// limit as in WorkerPoolOptions.
   std::unique_ptr<Workers> MakeWorkers(std::string setup, double hang_seconds);
-  /// The others: lends the workers until rank 0 is at its end. Ignores SIGINT
-  /// and SIGTERM, which are rank 0's to act on.
+  /// The others: lends the workers until rank 0 is at its end. They ignore
+  /// SIGINT and SIGTERM, which are rank 0's to act on; SIGUSR1 is one more
+  /// SIGTERM to it, as mpirun gives a job no time after the others.
   void Serve();
 
  private:

@@ -51,10 +51,9 @@ void SetSignals(pid_t owner) {
   // Die with the owner, however it dies; it may have done so already.
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() != owner) _exit(1);
-  // Ctrl-C reaches the whole group, and so do the ends of batch jobs; when to
-  // stop is the owner's decision.
-  signal(SIGINT, SIG_IGN);
-  signal(SIGTERM, SIG_IGN);
+  // Ctrl-C reaches the whole group, and so do the ends of batch jobs and what
+  // mpirun sends on; when to stop is the owner's decision.
+  for (const int stop : {SIGINT, SIGTERM, SIGUSR1}) signal(stop, SIG_IGN);
   // The owner may have handlers that tell of crashes (MPI prints its stack).
   for (const int crash : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT})
     signal(crash, SIG_DFL);

@@ -117,7 +117,7 @@ def wait_until_gone(marker):
     check(False, f"left over: {processes(marker)}")
 
 
-def finished_after(marker, harm):
+def finished_after(marker, harm, words_said=""):
     """The results of a run on three ranks that was harmed and has gone on."""
     store = f"{marker}.sqlite"
     job = start(marker, (*mpirun(3), PLSC, "evolve", "long.yaml", "-o", store))
@@ -125,7 +125,8 @@ def finished_after(marker, harm):
     output = job.communicate(timeout=LIMIT)[0]
     check(job.returncode != 0, f"the job ended as if nothing were: {output}")
     wait_until_gone(marker)
-    check("generation 40/" not in output, "the run was over before the harm")
+    check(words_said in output, f"'{words_said}' is not in: {output}")
+    check("generation 20/" not in output, "the run was over before the harm")
     for words in (mpirun(2), ()):
         # The second finds nothing to do.
         done = run(*words, PLSC, "evolve", "--resume", store, "--quiet")
@@ -152,7 +153,7 @@ def main():
     short = EXPERIMENT.format(generations=4, duration=2)
     pathlib.Path("tiny.yaml").write_text(short)
     pathlib.Path("long.yaml").write_text(
-        EXPERIMENT.format(generations=40, duration=5))
+        EXPERIMENT.format(generations=20, duration=4))
     tried = run(*mpirun(2), PLSC, "evolve", "tiny.yaml", "-o", "try.sqlite")
     if "built without MPI" in tried.stdout:
         check(not pathlib.Path("try.sqlite").exists(), "ranks ran on their own")
@@ -171,17 +172,20 @@ def main():
           expected, "two ranks of two workers leave other results")
 
     wrong = run(*mpirun(2), PLSC, "evolve", "none.yaml", "-o", "none.sqlite")
-    check(wrong.returncode == 1 and wrong.stdout.count("none.yaml: ") == 1,
+    check(wrong.returncode == 1 and wrong.stdout.count("'none.yaml'") == 1,
           f"one rank alone says what is wrong: {wrong.stdout}")
 
     expected = evolved("long.sqlite", (PLSC, "evolve", "long.yaml"))
-    for marker, harm in (
-            ("remote", kill_rank("remote", 2)),
-            ("first", kill_rank("first", 0)),
-            ("launcher", lambda job: job.kill()),
-            ("interrupt", lambda job: job.send_signal(signal.SIGINT)),
-            ("terminate", lambda job: job.send_signal(signal.SIGTERM))):
-        check(finished_after(marker, harm) == expected,
+    for marker, harm, words_said in (
+            ("remote", kill_rank("remote", 2), ""),
+            ("first", kill_rank("first", 0), ""),
+            ("launcher", lambda job: job.kill(), ""),
+            # mpirun may kill rank 0 before it has said anything.
+            ("interrupt", lambda job: job.send_signal(signal.SIGINT), ""),
+            ("terminate", lambda job: job.send_signal(signal.SIGTERM), ""),
+            ("asked", lambda job: job.send_signal(signal.SIGUSR1),
+             "plsc evolve --resume asked.sqlite")):
+        check(finished_after(marker, harm, words_said) == expected,
               f"{marker}: going on leads to other results")
     return 0
 

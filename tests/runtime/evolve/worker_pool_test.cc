@@ -313,6 +313,7 @@ TEST_CASE("Ctrl-C and the end of a batch job do not reach the workers",
   WorkerPool pool(1, [](const std::string&) {
     raise(SIGINT);
     raise(SIGTERM);
+    raise(SIGUSR1);
     return std::string("alive");
   });
   pool.Submit(0, "");
