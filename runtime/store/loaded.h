@@ -13,9 +13,9 @@ template <typename T>
 class [[nodiscard]] Loaded {
  public:
   Loaded(T value) : value_(std::move(value)) {}  // NOLINT: as Result
-  static Loaded Failed(std::string failure) {
+  static Loaded Failed(const std::string& failure) {
     Loaded loaded;
-    loaded.failure_ = std::move(failure);
+    loaded.failure_ = failure;
     return loaded;
   }
 

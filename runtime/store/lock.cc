@@ -109,7 +109,7 @@ void RunLock::Release() {
 std::optional<std::string> WhoWorksOn(const std::string& run) {
   const int descriptor = open(LockOf(run).c_str(), O_RDONLY | O_CLOEXEC);
   if (descriptor < 0) return std::nullopt;
-  const auto holder = HolderOf(descriptor);
+  auto holder = HolderOf(descriptor);
   close(descriptor);
   return holder;
 }

@@ -13,6 +13,7 @@ namespace {
 
 std::vector<std::string> Names(const std::vector<NamedValue>& list) {
   std::vector<std::string> names;
+  names.reserve(list.size());
   for (const NamedValue& value : list) names.emplace_back(value.name);
   return names;
 }

@@ -198,8 +198,10 @@ Health ExamineOpen(Database& database) {
   for (int g = 0; g <= examination.completed(); ++g) {
     if (g == examination.generations()) break;
     Failure failure = examination.CheckGeneration(g);
-    if (failure && !health.problem) health.problem = std::move(failure);
-    if (failure) break;
+    if (failure) {
+      if (!health.problem) health.problem = std::move(failure);
+      break;
+    }
     if (g < examination.completed()) ++health.whole_generations;
   }
   return health;
