@@ -3,6 +3,9 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cassert>
+#include <functional>
+#include <memory>
 #include <sstream>
 
 #include "grammar/suggest.h"
@@ -118,6 +121,32 @@ std::vector<std::string> ForParsing(const std::vector<std::string>& arguments) {
   return reversed;
 }
 
+/// All commands, each with the struct that its options fill.
+class Commands {
+ public:
+  template <typename One>
+  void Add(CLI::App& parent, CLI::App* (*add)(CLI::App&, One&)) {
+    const auto command = std::make_shared<One>();
+    const CLI::App* app = add(parent, *command);
+    entries_.push_back({app, [command] { return Command(*command); }});
+  }
+  /// The one that the user chose; there is one.
+  Command Parsed() const {
+    const auto parsed =
+        std::find_if(entries_.begin(), entries_.end(),
+                     [](const Entry& entry) { return entry.app->parsed(); });
+    assert(parsed != entries_.end());
+    return parsed->command();
+  }
+
+ private:
+  struct Entry {
+    const CLI::App* app = nullptr;
+    std::function<Command()> command;
+  };
+  std::vector<Entry> entries_;
+};
+
 }  // namespace
 
 void AddFormat(CLI::App* command, OutputFormat& format, const char* json) {
@@ -136,42 +165,26 @@ Command ParseArguments(const std::vector<std::string>& arguments) {
   app.footer(kFooter);
   app.require_subcommand(1);
 
-  CheckCommand check;
-  ExplainCommand explain;
-  ExportCommand export_command;
-  FixCommand fix;
-  FmtCommand fmt;
-  DevelopCommand develop;
-  LintCommand lint;
-  RegulateCommand regulate;
-  SimulateCommand simulate;
-  EvolveCommand evolve;
-  ReplayCommand replay;
-  ShowCommand show;
-  RandomCommand random;
-  StudyListCommand study_list;
-  StudyRunCommand study_run;
-  StudyStatusCommand study_status;
-  WhyCommand why;
-  TestCommand test;
-  const CLI::App* check_app = AddCheck(app, check);
-  const CLI::App* explain_app = AddExplain(app, explain);
-  const CLI::App* export_app = AddExport(app, export_command);
-  const CLI::App* fix_app = AddFix(app, fix);
-  const CLI::App* fmt_app = AddFmt(app, fmt);
-  const CLI::App* develop_app = AddDevelop(app, develop);
-  const CLI::App* lint_app = AddLint(app, lint);
-  const CLI::App* regulate_app = AddRegulate(app, regulate);
-  const CLI::App* simulate_app = AddSimulate(app, simulate);
-  const CLI::App* evolve_app = AddEvolve(app, evolve);
-  const CLI::App* show_app = AddShow(app, show);
-  const CLI::App* replay_app = AddReplay(app, replay);
-  const StudyApps study_apps =
-      AddStudy(app, study_list, study_run, study_status);
-  const CLI::App* why_app = AddWhy(app, why);
-  const CLI::App* test_app = AddTest(app, test);
-
-  AddRandom(app, random);
+  Commands commands;
+  commands.Add(app, AddCheck);
+  commands.Add(app, AddExplain);
+  commands.Add(app, AddExport);
+  commands.Add(app, AddFix);
+  commands.Add(app, AddFmt);
+  commands.Add(app, AddDevelop);
+  commands.Add(app, AddLint);
+  commands.Add(app, AddRegulate);
+  commands.Add(app, AddSimulate);
+  commands.Add(app, AddEvolve);
+  commands.Add(app, AddShow);
+  commands.Add(app, AddReplay);
+  CLI::App& study = *AddStudy(app);
+  commands.Add(study, AddStudyList);
+  commands.Add(study, AddStudyRun);
+  commands.Add(study, AddStudyStatus);
+  commands.Add(app, AddWhy);
+  commands.Add(app, AddTest);
+  commands.Add(app, AddRandom);
 
   if (auto answer = UnknownCommand(app, arguments)) return *answer;
   try {
@@ -179,24 +192,7 @@ Command ParseArguments(const std::vector<std::string>& arguments) {
   } catch (const CLI::ParseError& error) {
     return AnswerTo(app, error);
   }
-  if (check_app->parsed()) return check;
-  if (explain_app->parsed()) return explain;
-  if (export_app->parsed()) return export_command;
-  if (fix_app->parsed()) return fix;
-  if (fmt_app->parsed()) return fmt;
-  if (develop_app->parsed()) return develop;
-  if (lint_app->parsed()) return lint;
-  if (regulate_app->parsed()) return regulate;
-  if (simulate_app->parsed()) return simulate;
-  if (evolve_app->parsed()) return evolve;
-  if (show_app->parsed()) return show;
-  if (replay_app->parsed()) return replay;
-  if (study_apps.list->parsed()) return study_list;
-  if (study_apps.run->parsed()) return study_run;
-  if (study_apps.status->parsed()) return study_status;
-  if (why_app->parsed()) return why;
-  if (test_app->parsed()) return test;
-  return random;
+  return commands.Parsed();
 }
 
 }  // namespace plsc::cli

@@ -25,14 +25,11 @@ CLI::App* AddReplay(CLI::App& app, ReplayCommand& command);
 CLI::App* AddShow(CLI::App& app, ShowCommand& command);
 CLI::App* AddRegulate(CLI::App& app, RegulateCommand& command);
 CLI::App* AddSimulate(CLI::App& app, SimulateCommand& command);
-/// The commands of `plsc study`.
-struct StudyApps {
-  CLI::App* list = nullptr;
-  CLI::App* run = nullptr;
-  CLI::App* status = nullptr;
-};
-StudyApps AddStudy(CLI::App& app, StudyListCommand& list, StudyRunCommand& run,
-                   StudyStatusCommand& status);
+/// `plsc study` itself, which has commands of its own.
+CLI::App* AddStudy(CLI::App& app);
+CLI::App* AddStudyList(CLI::App& study, StudyListCommand& command);
+CLI::App* AddStudyRun(CLI::App& study, StudyRunCommand& command);
+CLI::App* AddStudyStatus(CLI::App& study, StudyStatusCommand& command);
 CLI::App* AddTest(CLI::App& app, TestCommand& command);
 CLI::App* AddWhy(CLI::App& app, WhyCommand& command);
 

@@ -26,8 +26,23 @@ void AddSlice(CLI::App* sub, std::string& only, std::string& shard) {
       ->option_text("K/N");
 }
 
-CLI::App* AddList(CLI::App* study, StudyListCommand& command) {
-  CLI::App* sub = study->add_subcommand("list", "Show which runs a study has");
+}  // namespace
+
+CLI::App* AddStudy(CLI::App& app) {
+  CLI::App* study = app.add_subcommand(
+      "study", "Do many runs of evolution that one file describes");
+  study->require_subcommand(1);
+  study->footer(
+      "A study is some experiments, each repeated with other seeds "
+      "(docs/studies.md).\n\n"
+      "  plsc study list examples/small_study.yaml\n"
+      "  plsc study run examples/small_study.yaml -o small\n"
+      "  plsc study status small");
+  return study;
+}
+
+CLI::App* AddStudyList(CLI::App& study, StudyListCommand& command) {
+  CLI::App* sub = study.add_subcommand("list", "Show which runs a study has");
   sub->add_option("STUDY", command.study, "YAML file of the study")->required();
   AddSlice(sub, command.only, command.shard);
   AddFormat(sub, command.format, "one run a line");
@@ -39,9 +54,9 @@ CLI::App* AddList(CLI::App* study, StudyListCommand& command) {
   return sub;
 }
 
-CLI::App* AddRun(CLI::App* study, StudyRunCommand& command) {
+CLI::App* AddStudyRun(CLI::App& study, StudyRunCommand& command) {
   CLI::App* sub =
-      study->add_subcommand("run", "Do a study's runs, all of them or a part");
+      study.add_subcommand("run", "Do a study's runs, all of them or a part");
   sub->add_option("STUDY", command.study, "YAML file of the study")->required();
   sub->add_option("-o,--output", command.output,
                   "the study's folder, made if it is not there; a run is "
@@ -76,9 +91,9 @@ CLI::App* AddRun(CLI::App* study, StudyRunCommand& command) {
   return sub;
 }
 
-CLI::App* AddStatus(CLI::App* study, StudyStatusCommand& command) {
+CLI::App* AddStudyStatus(CLI::App& study, StudyStatusCommand& command) {
   CLI::App* sub =
-      study->add_subcommand("status", "Show how far the runs of a study are");
+      study.add_subcommand("status", "Show how far the runs of a study are");
   sub->add_option("FOLDER", command.folder, "the study's folder")->required();
   AddFormat(sub, command.format, "one run a line");
   sub->footer(
@@ -91,26 +106,6 @@ CLI::App* AddStatus(CLI::App* study, StudyStatusCommand& command) {
       "'select(.state == \"damaged\")'\n\n"
       "Exit status: 0 fine, 1 a run is damaged.");
   return sub;
-}
-
-}  // namespace
-
-StudyApps AddStudy(CLI::App& app, StudyListCommand& list, StudyRunCommand& run,
-                   StudyStatusCommand& status) {
-  CLI::App* study = app.add_subcommand(
-      "study", "Do many runs of evolution that one file describes");
-  study->require_subcommand(1);
-  study->footer(
-      "A study is some experiments, each repeated with other seeds "
-      "(docs/studies.md).\n\n"
-      "  plsc study list examples/small_study.yaml\n"
-      "  plsc study run examples/small_study.yaml -o small\n"
-      "  plsc study status small");
-  StudyApps apps;
-  apps.list = AddList(study, list);
-  apps.run = AddRun(study, run);
-  apps.status = AddStatus(study, status);
-  return apps;
 }
 
 }  // namespace plsc::cli

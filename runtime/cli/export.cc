@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <ostream>
 #include <system_error>
+#include <utility>
 
 #include "runtime/cli/commands.h"
 #include "runtime/cli/open_run.h"
