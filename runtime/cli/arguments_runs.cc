@@ -17,6 +17,11 @@ void AddResuming(CLI::App* sub, EvolveCommand& command) {
   sub->add_flag("--or-resume", command.or_resume,
                 "if the output exists already, go on with it (it must be of "
                 "the same experiment and seed)");
+  sub->add_option("--salvage", command.salvage,
+                  "make a damaged run again, as --output, with all of its "
+                  "simulations that are whole; EXPERIMENT is needed only if "
+                  "what the run is was damaged, too")
+      ->option_text("RUN");
   sub->add_flag(
       "--allow-other-version", command.allow_other_version,
       "go on with a run that another version of plsc, or another kind "

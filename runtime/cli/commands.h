@@ -98,6 +98,7 @@ struct EvolveCommand {
   std::string output;      ///< likewise
   std::string resume;      ///< the store of a run to go on with
   bool or_resume = false;  ///< goes on if `output` exists
+  std::string salvage;     ///< a damaged store to look simulations up in
   bool allow_other_version = false;
   std::optional<std::uint64_t> seed;
   std::optional<int> jobs;

@@ -67,7 +67,9 @@ void PrintEffort(const Effort& effort, Io& io) {
 /// What is asked for; nothing if the experiment is wrong, which was printed.
 std::optional<RunRequest> RequestOf(const EvolveCommand& command, Io& io) {
   RunRequest request;
-  if (command.resume.empty()) {
+  if (!command.salvage.empty() && command.experiment.empty()) {
+    request.path = command.output;
+  } else if (command.resume.empty()) {
     request.experiment = LoadExperiment(command.experiment, io);
     if (!request.experiment) return std::nullopt;
     if (command.seed) request.experiment->seed = *command.seed;
@@ -76,6 +78,7 @@ std::optional<RunRequest> RequestOf(const EvolveCommand& command, Io& io) {
   } else {
     request.path = command.resume;
   }
+  request.salvage = command.salvage;
   request.allow_other_version = command.allow_other_version;
   request.jobs = command.jobs;
   request.hang_seconds = command.hang_limit;
@@ -87,12 +90,16 @@ std::optional<RunRequest> RequestOf(const EvolveCommand& command, Io& io) {
 
 /// Where and what to run, given on the command line in one of two ways.
 std::optional<std::string> WrongUsage(const EvolveCommand& command) {
-  const bool is_new = !command.experiment.empty() || !command.output.empty();
+  const bool is_new = !command.experiment.empty() || !command.output.empty() ||
+                      !command.salvage.empty();
   if (!command.resume.empty() && (is_new || command.seed))
     return "--resume RUN goes on with what the run is of; it takes neither an "
            "experiment nor --output nor --seed";
   if (!command.resume.empty()) return std::nullopt;
-  if (command.experiment.empty())
+  if (!command.salvage.empty() && (command.or_resume || command.seed))
+    return "--salvage RUN makes that run again; it takes neither --or-resume "
+           "nor --seed";
+  if (command.experiment.empty() && command.salvage.empty())
     return "expected EXPERIMENT, a YAML file, or --resume RUN";
   if (command.output.empty()) return "expected --output RUN, a file to make";
   return std::nullopt;

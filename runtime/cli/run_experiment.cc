@@ -20,6 +20,7 @@
 #include "runtime/evolve/worker_pool.h"
 #include "runtime/store/lock.h"
 #include "runtime/store/run_store.h"
+#include "runtime/store/salvage.h"
 #include "runtime/store/shared_cache.h"
 
 namespace plsc::cli {
@@ -59,8 +60,15 @@ Failure Prepare(const RunRequest& request, RunStore& store) {
   const bool exists = std::filesystem::exists(request.path);
   if (request.experiment && !(request.may_resume && exists))
     return store.Create(request.path, *request.experiment);
-  if (Failure failure = store.Open(request.path, request.allow_other_version))
+  if (Failure failure = store.Open(request.path, request.allow_other_version)) {
+    // So damaged that the store has no more to say.
+    if (failure->ends_with("is malformed"))
+      *failure += fmt::format(
+          "; 'plsc evolve --salvage {} -o NEW' makes the run again with the "
+          "simulations that are whole",
+          request.path);
     return failure;
+  }
   if (request.experiment && PrintExperiment(*request.experiment) !=
                                 PrintExperiment(store.experiment()))
     return fmt::format(
@@ -80,10 +88,35 @@ std::unique_ptr<Workers> WorkersFor(const RunRequest& request,
       WorkerPoolOptions{WorkerCount(request.jobs.value_or(0)), hang}, work);
 }
 
+/// A damaged run and an experiment for the new one, or what is wrong.
+Failure OpenSalvage(RunRequest& request, Salvage& salvage, Io& io) {
+  if (Failure failure = salvage.Open(request.salvage)) return failure;
+  const std::optional<Experiment>& own = salvage.experiment();
+  if (!own && !request.experiment)
+    return fmt::format(
+        "what '{}' is a run of cannot be read: name the experiment's file, too",
+        request.salvage);
+  if (own && request.experiment &&
+      PrintExperiment(*own) != PrintExperiment(*request.experiment))
+    return fmt::format("'{}' is a run of another experiment or seed",
+                       request.salvage);
+  if (!request.allow_other_version && salvage.versions() != ThisProgram())
+    return fmt::format(
+        "'{}' was begun by {}, and this is {} (where that does not matter: "
+        "--allow-other-version)",
+        request.salvage, TellVersions(salvage.versions()),
+        TellVersions(ThisProgram()));
+  if (own) request.experiment = own;
+  io.err << fmt::format("{} simulated seasons of '{}' can be used\n",
+                        salvage.size(), request.salvage);
+  return std::nullopt;
+}
+
 /// Where a run's results and what is told of it go.
 struct Stores {
   RunStore run;
   std::optional<SharedCache> cache;
+  std::optional<Salvage> salvage;
   JsonLog log;
 };
 
@@ -102,6 +135,7 @@ void Live(const RunRequest& request, Stores& stores, SavedRun saved,
     return WorkersFor(request, experiment, work);
   };
   options.caches = {&store};
+  if (stores.salvage) options.caches.push_back(&*stores.salvage);
   if (stores.cache) options.caches.push_back(&*stores.cache);
   options.saved = std::move(saved);
   options.observers = {&store};
@@ -182,14 +216,19 @@ Exit ExitOf(const RunOutcome& outcome, const std::string& path, Io& io) {
 
 }  // namespace
 
-RunOutcome ExecuteRun(const RunRequest& request, Io& io) {
+RunOutcome ExecuteRun(const RunRequest& asked, Io& io) {
+  RunRequest request = asked;
   RunOutcome outcome;
   const auto complain = [&](const std::string& failure) {
     outcome.exit = Complain(failure, io);
     return outcome;
   };
-  Stores stores{{}, {}, JsonLog(io.out)};
+  Stores stores{{}, {}, {}, JsonLog(io.out)};
   RunStore& store = stores.run;
+  if (!request.salvage.empty())
+    if (const Failure failure =
+            OpenSalvage(request, stores.salvage.emplace(), io))
+      return complain(*failure);
   if (const Failure failure = Prepare(request, store)) {
     outcome.is_locked = WhoWorksOn(request.path).has_value();
     return complain(*failure);

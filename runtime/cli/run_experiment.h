@@ -18,6 +18,9 @@ struct RunRequest {
   std::optional<Experiment> experiment;
   /// Goes on with a store that exists, if it is of the same experiment.
   bool may_resume = false;
+  /// A damaged run whose whole simulations are looked up. If `experiment` is
+  /// nothing it is this one's, and `path` is made.
+  std::string salvage;
   /// Goes on although another version of the program made the first results.
   bool allow_other_version = false;
   std::optional<int> jobs;  ///< workers; of each rank under MPI

@@ -70,10 +70,11 @@ Database::Failure CheckFile(const std::string& path, Database::Mode mode) {
     return fmt::format("cannot open '{}': it is a folder", path);
   if (!std::filesystem::is_regular_file(status))
     return fmt::format("cannot open '{}': it is no file", path);
-  const int rights = mode == Database::Mode::kRead ? R_OK : R_OK | W_OK;
+  const bool is_reading =
+      mode == Database::Mode::kRead || mode == Database::Mode::kSalvage;
+  const int rights = is_reading ? R_OK : R_OK | W_OK;
   if (access(path.c_str(), rights) != 0)
-    return fmt::format("cannot {} '{}': {}",
-                       mode == Database::Mode::kRead ? "read" : "write to",
+    return fmt::format("cannot {} '{}': {}", is_reading ? "read" : "write to",
                        path, SystemReason(errno));
   // SQLite takes an empty file for a database without tables.
   if (mode != Database::Mode::kCreate &&
@@ -249,7 +250,7 @@ Database::Failure Database::Open(const std::string& path, Mode mode) {
   failure_.reset();
   path_ = path;
   owner_ = getpid();
-  is_reading_ = mode == Mode::kRead;
+  is_reading_ = mode == Mode::kRead || mode == Mode::kSalvage;
   if (mode != Mode::kCreate)
     if (Failure failure = CheckFile(path, mode)) return failure;
   if (Failure failure = Connect(mode)) {
@@ -260,7 +261,7 @@ Database::Failure Database::Open(const std::string& path, Mode mode) {
 }
 
 Database::Failure Database::Connect(Mode mode) {
-  const bool is_reading = mode == Mode::kRead;
+  const bool is_reading = is_reading_;
   is_immutable_ = is_reading && HasNoJournal(path_);
   if (is_immutable_) stamp_ = StampOf(path_);
   const int flags = is_reading ? SQLITE_OPEN_READONLY
@@ -276,7 +277,11 @@ Database::Failure Database::Connect(Mode mode) {
   sqlite3_busy_timeout(connection_, kPatience);
   // A damaged file must not run what its schema says, and reading must not
   // move what another process wrote from its journal into the file.
-  sqlite3_db_config(connection_, SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr);
+  const bool is_salvage = mode == Mode::kSalvage;
+  sqlite3_db_config(connection_, SQLITE_DBCONFIG_DEFENSIVE, is_salvage ? 0 : 1,
+                    nullptr);
+  // Without this SQLite reads nothing of a file that is shorter than it says.
+  if (is_salvage) Run("PRAGMA writable_schema = ON");
   sqlite3_db_config(connection_, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
   if (is_reading)
     sqlite3_db_config(connection_, SQLITE_DBCONFIG_NO_CKPT_ON_CLOSE, 1,

@@ -85,9 +85,10 @@ class Database {
  public:
   using Failure = std::optional<std::string>;
   enum class Mode : std::uint8_t {
-    kCreate,  ///< a new file
-    kWrite,   ///< one that exists
-    kRead,    ///< likewise; nothing is ever changed
+    kCreate,   ///< a new file
+    kWrite,    ///< one that exists
+    kRead,     ///< likewise; nothing is ever changed
+    kSalvage,  ///< likewise; also what is cut off
   };
 
   Database() = default;

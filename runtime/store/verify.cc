@@ -242,8 +242,9 @@ Health Examine(const std::string& path) {
                            : fmt::format("; generations 0 to {} are whole",
                                          health.whole_generations - 1);
     *health.problem +=
-        ", and 'plsc export' prints what can still be read; the same "
-        "experiment makes the same run again";
+        ", and 'plsc export' prints what can still be read; "
+        "'plsc evolve --salvage " +
+        path + " -o NEW' makes the run again with the simulations that are";
   }
   return health;
 }

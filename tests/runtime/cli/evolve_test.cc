@@ -134,6 +134,58 @@ TEST_CASE("evolve wants an experiment and a store, or a run to go on with",
   CHECK(folder.Files() == std::vector<std::string>{"e.yaml"});
 }
 
+TEST_CASE("a damaged run is told, and made again from what is whole",
+          "[evolve]") {
+  const test::TemporaryFolder folder;
+  const std::string file = folder.Write("e.yaml", Experiment("plasticoding"));
+  const std::string run = folder / "run.sqlite";
+  REQUIRE(RunPlsc({"evolve", file, "-o", run, "--quiet"}).exit == 0);
+  const std::string whole = ReadFile(run);
+  const std::string dump = Dump(run);
+  struct Row {
+    const char* why;
+    std::size_t begin;  // permille of the file
+    std::size_t end;    // where 0xa5 is written; 0: cut off at begin
+    bool is_readable;   // anything at all
+  };
+  const std::vector<Row> rows = {
+      {"the last third is cut off", 666, 0, true},
+      {"a page in the middle", 500, 520, true},
+      {"the end", 900, 1000, true},
+      {"the beginning", 0, 10, false},
+  };
+  for (const Row& row : rows) {
+    DYNAMIC_SECTION(row.why) {
+      std::string damaged = whole.substr(
+          0, row.end == 0 ? row.begin * whole.size() / 1000 : whole.size());
+      for (std::size_t i = row.begin * whole.size() / 1000;
+           i < row.end * whole.size() / 1000; ++i)
+        damaged[i] = static_cast<char>(0xa5);
+      const std::string path = folder.Write("damaged.sqlite", damaged);
+      const auto refused = RunPlsc({"evolve", "--resume", path, "--quiet"});
+      INFO(refused.err);
+      CHECK(refused.exit == 1);
+      const auto made =
+          RunPlsc({"evolve", "--salvage", path, "-o", folder / "new.sqlite",
+                   "--quiet", "--format", "json"});
+      INFO(made.err);
+      CHECK(ReadFile(path) == damaged);
+      REQUIRE((made.exit == 0) == row.is_readable);
+      if (!row.is_readable) continue;
+      CHECK(refused.err.find("--salvage") != std::string::npos);
+      CHECK(json::parse(made.out)["finished"] == true);
+      CHECK(Dump(folder / "new.sqlite") == dump);
+    }
+  }
+  SECTION("what is whole is not simulated again") {
+    const auto made =
+        RunPlsc({"evolve", "--salvage", run, "-o", folder / "new.sqlite",
+                 "--quiet", "--format", "json"});
+    CHECK(json::parse(made.out)["simulations"] == 0);
+    CHECK(Dump(folder / "new.sqlite") == dump);
+  }
+}
+
 TEST_CASE("a shared cache saves simulations and changes no bit", "[evolve]") {
   const test::TemporaryFolder folder;
   const std::string file = folder.Write("e.yaml", Experiment("plasticoding"));

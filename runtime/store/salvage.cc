@@ -1,0 +1,87 @@
+#include "runtime/store/salvage.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+#include "runtime/store/checksum.h"
+#include "runtime/store/database.h"
+#include "runtime/store/run_reader.h"
+#include "runtime/store/verify.h"
+
+namespace plsc {
+
+namespace {
+
+/// Sums of an individual's evaluation by season, from 1 and without a gap.
+std::vector<std::int64_t> SumsOf(Statement& statement, int id) {
+  std::vector<std::int64_t> sums;
+  statement.With(id);
+  while (statement.Next()) sums.push_back(statement.TakeInteger());
+  return sums;
+}
+
+}  // namespace
+
+Salvage::Failure Salvage::Open(const std::string& path) {
+  Database database;
+  if (Failure failure = database.Open(path, Database::Mode::kSalvage))
+    return failure;
+  if (Failure failure = CheckIdentity(database)) return failure;
+  Checksums checksums(database);
+  {
+    Statement run(database,
+                  "SELECT checksum, experiment, plsc, ode, compiler, machine "
+                  "FROM run");
+    if (run.With().Next()) {
+      const std::int64_t sum = run.TakeInteger();
+      const Result<Experiment> parsed =
+          ParseExperiment(Source(path, run.TakeText()));
+      versions_.plsc = run.TakeText();
+      versions_.ode = run.TakeText();
+      versions_.compiler = run.TakeText();
+      versions_.machine = run.TakeText();
+      if (parsed && sum == checksums.OfRun()) experiment_ = *parsed;
+    }
+    database.TakeFailure();  // then there is no experiment
+  }
+  Statement evaluation(database,
+                       "SELECT checksum FROM evaluation WHERE individual = ? "
+                       "ORDER BY season");
+  RunReader reader(database);
+  if (Failure failure = database.TakeFailure()) return failure;
+  // One by one, because a damaged page ends every query that meets it. Without
+  // an experiment the end is not known; then as many as a run can have.
+  const std::int64_t last =
+      experiment_ ? plsc::Evaluations(*experiment_) : reader.Evaluations();
+  database.TakeFailure();
+  for (int id = 1; id <= static_cast<int>(last); ++id) {
+    const std::vector<std::int64_t> sums = SumsOf(evaluation, id);
+    const std::vector<SeasonEvidence> evidence = reader.FindEvidence(id);
+    const bool is_readable =
+        !database.TakeFailure() && sums.size() == evidence.size();
+    for (std::size_t i = 0; is_readable && i < sums.size(); ++i) {
+      const bool is_whole =
+          sums[i] == checksums.OfEvaluation(id, static_cast<int>(i) + 1);
+      if (database.TakeFailure() || !is_whole) continue;
+      if (evidence[i].simulation != Key{})
+        known_.emplace(evidence[i].simulation, evidence[i].simulated);
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<Simulated> Salvage::Find(const Key& key) {
+  const auto found = known_.find(key);
+  if (found == known_.end()) return std::nullopt;
+  return found->second;
+}
+
+Salvage::Failure Salvage::Add(const Key& /*key*/,
+                              const Simulated& /*simulated*/) {
+  return std::nullopt;
+}
+
+}  // namespace plsc
