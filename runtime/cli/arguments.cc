@@ -28,7 +28,7 @@ constexpr const char* kFooter =
     "  plsc develop examples/gecko.pls    which robot grows from it?\n"
     "  plsc simulate examples/gecko.pls   how does it walk?\n"
     "  plsc random --seed 1 | plsc develop - --env inclined=True\n"
-    "  plsc evolve examples/small.yaml -o run1\n\n"
+    "  plsc evolve examples/small.yaml -o run1.sqlite\n\n"
     "`plsc COMMAND --help` explains one command. Exit status: 0 fine, 1 the "
     "input is\nwrong, 2 the usage is wrong.";
 

@@ -101,12 +101,13 @@ std::optional<WorkerProcess> StartWorker(const Work& work) {
 }
 
 std::string EndWorker(const WorkerProcess& worker) {
-  close(worker.socket);
-  // One that died keeps its status.
+  // One that died keeps its status. Before the socket is closed, at which one
+  // that lives would end by itself.
   kill(worker.pid, SIGKILL);
   int status = 0;
   while (waitpid(worker.pid, &status, 0) < 0 && errno == EINTR) {
   }
+  close(worker.socket);
   if (WIFSIGNALED(status)) return fmt::format("signal {}", WTERMSIG(status));
   return fmt::format("exit status {}", WEXITSTATUS(status));
 }
