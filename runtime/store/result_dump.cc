@@ -31,9 +31,9 @@ Loaded<std::string> DumpResults(const std::string& path) {
   using Dump = Loaded<std::string>;
   Database database;
   if (auto failure = database.Open(path, Database::Mode::kRead))
-    return Dump::Failed(std::move(*failure));
+    return Dump::Failed(*failure);
   if (auto failure = CheckIdentity(database))
-    return Dump::Failed(std::move(*failure));
+    return Dump::Failed(*failure);
   std::string text;
   {
     const Transaction instant(database);
@@ -42,7 +42,7 @@ Loaded<std::string> DumpResults(const std::string& path) {
         AppendTable(database, item, text);
   }
   if (auto failure = database.TakeFailure())
-    return Dump::Failed(std::move(*failure));
+    return Dump::Failed(*failure);
   return text;
 }
 
