@@ -32,8 +32,7 @@ Loaded<std::string> DumpResults(const std::string& path) {
   Database database;
   if (auto failure = database.Open(path, Database::Mode::kRead))
     return Dump::Failed(*failure);
-  if (auto failure = CheckIdentity(database))
-    return Dump::Failed(*failure);
+  if (auto failure = CheckIdentity(database)) return Dump::Failed(*failure);
   std::string text;
   {
     const Transaction instant(database);
@@ -41,8 +40,7 @@ Loaded<std::string> DumpResults(const std::string& path) {
       if (item.kind == SchemaKind::kTable && item.is_result)
         AppendTable(database, item, text);
   }
-  if (auto failure = database.TakeFailure())
-    return Dump::Failed(*failure);
+  if (auto failure = database.TakeFailure()) return Dump::Failed(*failure);
   return text;
 }
 
