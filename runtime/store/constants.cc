@@ -12,7 +12,7 @@ namespace plsc {
 namespace {
 
 /// "5 deg" and "0.8" are numbers; a quoted text, or "2x2", is none.
-void TakeNumber(Constant& constant) {
+void TakeNumber(ScenarioConstant& constant) {
   const std::string& text = constant.text;
   const char* end = text.data() + text.size();
   double number = 0;
@@ -23,9 +23,9 @@ void TakeNumber(Constant& constant) {
 }
 
 void Collect(const YamlValue& value, const std::string& name,
-             std::vector<Constant>& constants) {
+             std::vector<ScenarioConstant>& constants) {
   if (value.is_scalar()) {
-    Constant constant{name, value.text(), std::nullopt, std::nullopt};
+    ScenarioConstant constant{name, value.text(), std::nullopt, std::nullopt};
     if (!value.is_quoted()) TakeNumber(constant);
     constants.push_back(std::move(constant));
   } else if (value.is_map()) {
@@ -40,15 +40,15 @@ void Collect(const YamlValue& value, const std::string& name,
 
 }  // namespace
 
-std::vector<Constant> ConstantsOf(const Scenario& scenario,
-                                  const Season& season) {
+std::vector<ScenarioConstant> ConstantsOf(const Scenario& scenario,
+                                          const Season& season) {
   Scenario alone = scenario;
   alone.seasons = {season};
   const Source yaml("scenario", PrintScenario(alone));
   const YamlFile file(yaml);
   std::optional<YamlMap> root = file.Root("a scenario");
   assert(root);
-  std::vector<Constant> constants;
+  std::vector<ScenarioConstant> constants;
   for (const YamlMap::Entry& entry : root->TakeAll()) {
     if (entry.key == "name") continue;  // of no consequence
     if (entry.key != "seasons") {

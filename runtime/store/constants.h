@@ -12,7 +12,7 @@
 
 namespace plsc {
 
-struct Constant {
+struct ScenarioConstant {
   std::string name;  ///< the keys on the way to it: "physics.step"
   std::string text;  ///< "0.005", "direct"
   /// What the text says, if it is a number, and in which unit ("s").
@@ -21,7 +21,7 @@ struct Constant {
 };
 
 /// Of the season, its own and those that all share, in PrintScenario's order.
-std::vector<Constant> ConstantsOf(const Scenario& scenario,
-                                  const Season& season);
+std::vector<ScenarioConstant> ConstantsOf(const Scenario& scenario,
+                                          const Season& season);
 
 }  // namespace plsc

@@ -42,7 +42,7 @@ void AddConstants(Database& database, const Scenario& scenario) {
   int id = 0;
   for (const Season& one : scenario.seasons) {
     season.With(++id, one.name).Run();
-    for (const Constant& value : ConstantsOf(scenario, one)) {
+    for (const ScenarioConstant& value : ConstantsOf(scenario, one)) {
       constant.With(id, value.name);
       if (value.number)
         constant.And(*value.number);

@@ -13,9 +13,9 @@ namespace plsc {
 
 namespace {
 
-std::map<std::string, Constant> ByName(const std::vector<Constant>& all) {
-  std::map<std::string, Constant> named;
-  for (const Constant& one : all) CHECK(named.emplace(one.name, one).second);
+std::map<std::string, ScenarioConstant> ByName(const std::vector<ScenarioConstant>& all) {
+  std::map<std::string, ScenarioConstant> named;
+  for (const ScenarioConstant& one : all) CHECK(named.emplace(one.name, one).second);
   return named;
 }
 
@@ -71,7 +71,7 @@ TEST_CASE("Numbers have their unit, other values are texts", "[constants]") {
   };
   for (const Row& row : rows) {
     DYNAMIC_SECTION(row.name) {
-      const Constant& constant = constants.at(row.name);
+      const ScenarioConstant& constant = constants.at(row.name);
       CHECK(constant.text == row.text);
       CHECK(constant.number == row.number);
       CHECK(constant.unit == row.unit);
