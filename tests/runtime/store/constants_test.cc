@@ -13,9 +13,11 @@ namespace plsc {
 
 namespace {
 
-std::map<std::string, ScenarioConstant> ByName(const std::vector<ScenarioConstant>& all) {
+std::map<std::string, ScenarioConstant> ByName(
+    const std::vector<ScenarioConstant>& all) {
   std::map<std::string, ScenarioConstant> named;
-  for (const ScenarioConstant& one : all) CHECK(named.emplace(one.name, one).second);
+  for (const ScenarioConstant& one : all)
+    CHECK(named.emplace(one.name, one).second);
   return named;
 }
 
