@@ -65,12 +65,13 @@ Failure WriteFirst(const std::string& folder, const std::string& text) {
   return fmt::format("cannot create '{}': {}", path, ReasonOf(error));
 }
 
-/// A folder of something else is not ours to fill.
+/// A folder of something else is not ours to fill. What another process makes
+/// in it meanwhile comes after study.yaml, so that file is looked for last.
 Failure CheckEmpty(const std::string& folder) {
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(folder, error))
     if (!entry.path().filename().string().starts_with(kPartial) &&
-        entry.path().filename() != kFile)
+        !fs::exists(FileIn(folder)))
       return fmt::format("'{}' exists and is no study's folder: it has no {}",
                          folder, kFile);
   if (error)
