@@ -13,4 +13,9 @@ namespace plsc {
 /// in a newline and carry no trailing blanks.
 std::string BodyText(const Body& body);
 
+/// The same with what differs from the reference: thick lines where that has no
+/// module, double ones where it has another, an empty dashed box where only it
+/// has one and the cell is free; small t a sensor that only it has.
+std::string BodyText(const Body& body, const Body& reference);
+
 }  // namespace plsc
