@@ -32,6 +32,7 @@ CLI::App* AddStudyList(CLI::App& study, StudyListCommand& command);
 CLI::App* AddStudyRun(CLI::App& study, StudyRunCommand& command);
 CLI::App* AddStudyStatus(CLI::App& study, StudyStatusCommand& command);
 CLI::App* AddTest(CLI::App& app, TestCommand& command);
+CLI::App* AddView(CLI::App& app, ViewCommand& command);
 CLI::App* AddWhy(CLI::App& app, WhyCommand& command);
 
 /// --format text|json; `json` says what a line of it is.

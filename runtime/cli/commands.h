@@ -150,6 +150,17 @@ struct RandomCommand {
   std::string output;  ///< empty: standard output
 };
 
+struct ViewCommand {
+  /// Recordings, genotypes, stores of runs; a store is followed by the ids (or
+  /// "best") of those of its robots that are meant.
+  std::vector<std::string> inputs;
+  std::string output;    ///< the page
+  std::string scenario;  ///< of genotypes; empty: the paper's
+  bool explain = false;  ///< the page of development instead, of genotypes
+  std::vector<std::string> environments;  ///< of `explain`, as DevelopCommand's
+  bool allow_range = false;
+};
+
 struct WhyCommand {
   std::string file;    ///< or FILE:LINE:COLUMN, which asks about a symbol
   std::string module;  ///< an id to ask about; empty: none
@@ -205,7 +216,8 @@ using Command =
                  EvolveCommand, ExplainCommand, ExportCommand, FixCommand,
                  FmtCommand, LintCommand, RandomCommand, RegulateCommand,
                  ReplayCommand, ShowCommand, SimulateCommand, StudyListCommand,
-                 StudyRunCommand, StudyStatusCommand, TestCommand, WhyCommand>;
+                 StudyRunCommand, StudyStatusCommand, TestCommand, ViewCommand,
+                 WhyCommand>;
 
 /// `arguments` without the program's name.
 Command ParseArguments(const std::vector<std::string>& arguments);
@@ -228,6 +240,7 @@ Exit Run(const StudyRunCommand& command, Io& io);
 Exit Run(const StudyStatusCommand& command, Io& io);
 Exit Run(const EvolveCommand& command, Io& io);
 Exit Run(const RandomCommand& command, Io& io);
+Exit Run(const ViewCommand& command, Io& io);
 Exit Run(const WhyCommand& command, Io& io);
 Exit Run(const TestCommand& command, Io& io);
 

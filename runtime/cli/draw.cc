@@ -92,6 +92,8 @@ std::string MakersText(const DrawnBody& drawn,
 std::string TerminalText(const DrawCommand& command, const RobotFound& robot,
                          const Grown& grown, std::size_t columns) {
   const std::vector<std::string> rule_texts = RuleTexts(robot.loaded);
+  CellExtent rows;  // of all, so that cores lie on a line
+  for (const DrawnBody& drawn : grown.bodies) rows.Include(drawn.body);
   std::vector<std::string> blocks;
   for (std::size_t i = 0; i < grown.bodies.size(); ++i) {
     const DrawnBody& drawn = grown.bodies[i];
@@ -100,7 +102,7 @@ std::string TerminalText(const DrawCommand& command, const RobotFound& robot,
     if (command.brain)
       text += BrainText(grown.brains[i].phenotype);
     else
-      text += BodyText(drawn.body, grown.bodies.front().body);
+      text += BodyText(drawn.body, grown.bodies.front().body, rows);
     if (command.colour == ColourBy::kRule && !command.brain)
       text += MakersText(drawn, rule_texts);
     blocks.push_back(std::move(text));

@@ -37,10 +37,11 @@ std::vector<Panel> PanelsOf(const std::vector<DrawnBody>& bodies,
     Panel panel;
     panel.title = drawn.name;
     panel.subtitle = drawn.senses;
-    panel.svg = BodyShapes(drawn.body, paint(drawn));
-    if (i > 0)
-      panel.svg += DifferenceShapes(reference, drawn.body,
-                                    CompareBodies(reference, drawn.body));
+    panel.svg = BodyShapes(
+        drawn.body, paint(drawn),
+        i == 0 ? std::string()
+               : DifferenceShapes(reference, drawn.body,
+                                  CompareBodies(reference, drawn.body)));
     panel.left = extent.left * kCellSide - kCellSide / 2;
     panel.top = -all.front * kCellSide - kCellSide / 2;
     panel.width = extent.columns() * kCellSide;

@@ -100,10 +100,10 @@ std::string OutlineShape(const Bar& bar, ModuleMark mark) {
   const std::string black = BarShape(
       bar,
       std::string(R"(fill="none" stroke="#000" )"
-                  R"(stroke-width="7" class="mark")") +
-          (mark == ModuleMark::kOther ? R"( stroke-dasharray="11 9")" : ""));
+                  R"(stroke-width="6" class="mark")") +
+          (mark == ModuleMark::kOther ? R"( stroke-dasharray="12 9")" : ""));
   if (mark == ModuleMark::kNew) return black;
-  return BarShape(bar, R"(fill="none" stroke="#fff" stroke-width="7")") + black;
+  return BarShape(bar, R"(fill="none" stroke="#fff" stroke-width="6")") + black;
 }
 
 std::string DottedShape(const Bar& bar) {
@@ -138,12 +138,13 @@ std::vector<ModulePaint> PaintByType(const Body& body) {
   return paints;
 }
 
-std::string BodyShapes(const Body& body,
-                       const std::vector<ModulePaint>& paints) {
+std::string BodyShapes(const Body& body, const std::vector<ModulePaint>& paints,
+                       const std::string& outlines) {
   std::string svg;
   for (std::size_t i = 0; i < body.modules.size(); ++i)
     if (!IsSensor(body.modules[i]))
       svg += SquareShape(body.modules[i], paints[i]);
+  svg += outlines;
   // Dots lie on borders and sensors inside cells, so squares come first.
   for (const Module& module : body.modules)
     if (!IsSensor(module)) svg += DotShape(module);

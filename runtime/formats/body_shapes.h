@@ -37,11 +37,12 @@ struct ModulePaint {
 /// Paint by type, for every module of the body.
 std::vector<ModulePaint> PaintByType(const Body& body);
 
-/// `paints` by module.
-std::string BodyShapes(const Body& body,
-                       const std::vector<ModulePaint>& paints);
+/// `paints` by module; `outlines` are elements over the squares, below dots and
+/// sensors.
+std::string BodyShapes(const Body& body, const std::vector<ModulePaint>& paints,
+                       const std::string& outlines = "");
 
-/// Outlines on top of the shapes: thick where the reference has no module,
+/// Outlines for BodyShapes: thick where the reference has no module,
 /// thick and dashed where it has another; thin and dotted where only it has
 /// one, and the cell is free.
 std::string DifferenceShapes(const Body& reference, const Body& body,

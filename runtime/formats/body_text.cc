@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "runtime/body_difference.h"
-#include "runtime/formats/body_shapes.h"
 
 namespace plsc {
 
@@ -156,11 +155,14 @@ std::string BodyText(const Body& body) {
   return BodyText(body, body);
 }
 
-std::string BodyText(const Body& body, const Body& reference) {
+std::string BodyText(const Body& body, const Body& reference,
+                     const CellExtent& rows) {
   const BodyDifference difference = CompareBodies(reference, body);
   CellExtent extent;
   extent.Include(body);
   extent.Include(reference);
+  extent.back = rows.back;
+  extent.front = rows.front;
   Plan plan(extent);
   // What is there is drawn over what is not.
   for (const int index : difference.missing) {

@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "runtime/formats/body_shapes.h"
 #include "sim/body.h"
 
 namespace plsc {
@@ -16,6 +17,8 @@ std::string BodyText(const Body& body);
 /// The same with what differs from the reference: thick lines where that has no
 /// module, double ones where it has another, an empty dashed box where only it
 /// has one and the cell is free; small t a sensor that only it has.
-std::string BodyText(const Body& body, const Body& reference);
+/// As many rows of cells as `rows` has.
+std::string BodyText(const Body& body, const Body& reference,
+                     const CellExtent& rows);
 
 }  // namespace plsc

@@ -21,7 +21,7 @@ std::vector<std::size_t> ColumnOf(const Brain& brain, NodeType type) {
 
 }  // namespace
 
-BrainLayout LayOutBrain(const Brain& brain) {
+BrainLayout LayOutBrain(const Brain& brain, int row_height) {
   const std::vector<std::size_t> inputs = ColumnOf(brain, NodeType::kInput);
   const std::vector<std::size_t> oscillators =
       ColumnOf(brain, NodeType::kOscillator);
@@ -29,15 +29,15 @@ BrainLayout LayOutBrain(const Brain& brain) {
       std::max<std::size_t>({inputs.size(), oscillators.size(), 1});
   BrainLayout layout;
   layout.places.resize(brain.nodes.size());
-  layout.height = static_cast<int>(rows) * kRowHeight;
+  layout.height = static_cast<int>(rows) * row_height;
   for (const auto* column : {&inputs, &oscillators}) {
     const std::size_t count = column->size();
     // Half rows are fine: the columns are centred on each other.
-    const int top = static_cast<int>(rows - count) * kRowHeight / 2;
+    const int top = static_cast<int>(rows - count) * row_height / 2;
     for (std::size_t i = 0; i < count; ++i)
       layout.places[(*column)[i]] = {
           column == &inputs ? kInputColumn : kOscillatorColumn,
-          top + static_cast<int>(i) * kRowHeight,
+          top + static_cast<int>(i) * row_height,
           count > 1 ? static_cast<double>(i) / static_cast<double>(count - 1)
                     : 0.5};
   }

@@ -16,7 +16,9 @@ inline constexpr int kSensorColumn = 0;
 inline constexpr int kInputColumn = 75;
 inline constexpr int kOscillatorColumn = 330;
 inline constexpr int kJointColumn = 410;
-inline constexpr int kRowHeight = 96;  ///< px; a loop fits between two nodes
+inline constexpr int kRowHeight = 64;  ///< px
+inline constexpr int kLoopRowHeight =
+    96;  ///< px; a loop fits between two nodes
 
 struct NodePlace {
   int x = 0;
@@ -30,6 +32,6 @@ struct BrainLayout {
 };
 
 /// The shorter column stands in the middle of the longer one's height.
-BrainLayout LayOutBrain(const Brain& brain);
+BrainLayout LayOutBrain(const Brain& brain, int row_height);
 
 }  // namespace plsc

@@ -26,8 +26,7 @@ constexpr std::string_view kNegative = "#d55e00";  // and vermillion
 constexpr std::size_t kMostLabels = 24;
 
 constexpr const char* kStyle =
-    ".node{stroke-width:2.5} .weight{font-size:12px;paint-order:stroke;"
-    "stroke:#fff;stroke-width:3px} .number{font-size:15px} "
+    ".node{stroke-width:2.5} .weight{font-size:12px} .number{font-size:15px} "
     ".part{font-size:13px} .kind{font-size:11px} "
     ".numbers{font-size:12px;text-anchor:start;fill:#222}";
 
@@ -40,6 +39,16 @@ std::string EdgeStyle(double weight) {
 
 std::string Weight(double weight) {
   return fmt::format("{:+.2f}", weight);
+}
+
+// On a white ground, so that the line that it is on does not strike it out.
+std::string WeightLabel(double x, double y, double weight) {
+  return fmt::format(
+      R"(<rect x="{:.1f}" y="{:.1f}" width="38" height="15" fill="#fff" )"
+      R"(fill-opacity="0.85"/><text x="{:.1f}" y="{:.1f}" )"
+      R"(class="weight">{}</text>)"
+      "\n",
+      x - 19, y - 7.5, x, y + 4.5, Weight(weight));
 }
 
 // Its tip at (x, y), the way it points in unit steps.
@@ -56,8 +65,8 @@ std::string ArrowHead(double x, double y, double dx, double dy,
 
 class BrainDrawing {
  public:
-  explicit BrainDrawing(const Phenotype& robot)
-      : robot_(robot), layout_(LayOutBrain(robot.brain)) {}
+  BrainDrawing(const Phenotype& robot, int row_height)
+      : robot_(robot), layout_(LayOutBrain(robot.brain, row_height)) {}
 
   std::string Shapes() const {
     std::string svg;
@@ -69,11 +78,19 @@ class BrainDrawing {
     for (std::size_t i = 0; i < robot_.brain.nodes.size(); ++i)
       svg += NodeShape(static_cast<int>(i));
     if (robot_.brain.nodes.empty())
-      svg += R"(<text x="160" y="5" class="number">no sensor, no joint: )"
+      svg += R"(<text x="400" y="5" class="number">no sensor, no joint: )"
              "no brain</text>\n";
     return svg;
   }
   int height() const { return layout_.height; }
+  /// px, the left end of what is drawn.
+  int left() const {
+    const bool has_input = std::any_of(
+        robot_.brain.nodes.begin(), robot_.brain.nodes.end(),
+        [](const Node& node) { return node.type == NodeType::kInput; });
+    return has_input ? kSensorColumn - kSquare
+                     : kOscillatorColumn - kRadius - 20;
+  }
 
  private:
   const NodePlace& place(int node) const {
@@ -109,11 +126,7 @@ std::string BrainDrawing::EdgeShape(const Connection& edge,
                    3 * u * t * t * (x1 - bend) + t * t * t * x1;
   const double y =
       (u * u * u + 3 * u * u * t) * from.y + (3 * u * t * t + t * t * t) * to.y;
-  fmt::format_to(std::back_inserter(svg),
-                 R"(<text x="{:.1f}" y="{:.1f}" class="weight">{}</text>)"
-                 "\n",
-                 x, y + 4, Weight(edge.weight));
-  return svg;
+  return svg + WeightLabel(x, y, edge.weight);
 }
 
 std::string BrainDrawing::LoopShape(const Connection& edge,
@@ -130,11 +143,7 @@ std::string BrainDrawing::LoopShape(const Connection& edge,
                   EdgeName(edge), Weight(edge.weight),
                   ArrowHead(at.x + 9, top + 3, -0.3, 0.95,
                             edge.weight < 0 ? kNegative : kPositive));
-  if (has_label)
-    fmt::format_to(std::back_inserter(svg),
-                   R"(<text x="{}" y="{:.1f}" class="weight">{}</text>)"
-                   "\n",
-                   at.x + 34, top - 18, Weight(edge.weight));
+  if (has_label) svg += WeightLabel(at.x + 40, top - 22, edge.weight);
   return svg;
 }
 
@@ -211,7 +220,7 @@ std::vector<LegendEntry> LegendOf(const std::vector<DrawnBrain>& brains) {
   if (has_edge) {
     legend.push_back({LineIcon(0.6), "positive weight"});
     legend.push_back({LineIcon(-0.6), "negative weight"});
-    legend.push_back({"", "the thicker, the further from 0"});
+    legend.push_back({"", "(thicker: further from 0)"});
   }
   legend.push_back(
       {"", fmt::format("not drawn: the {} inputs of the core's IMU, which "
@@ -224,22 +233,31 @@ std::vector<LegendEntry> LegendOf(const std::vector<DrawnBrain>& brains) {
 
 std::string BrainsSvg(const std::string& title,
                       const std::vector<DrawnBrain>& brains) {
+  const bool has_loop =
+      std::any_of(brains.begin(), brains.end(), [](const DrawnBrain& drawn) {
+        const auto& edges = drawn.phenotype.brain.connections;
+        return std::any_of(edges.begin(), edges.end(), [](const auto& edge) {
+          return edge.source == edge.destination;
+        });
+      });
+  const int row_height = has_loop ? kLoopRowHeight : kRowHeight;
   std::vector<Panel> panels;
   int height = 0;
   for (const DrawnBrain& drawn : brains) {
-    const BrainDrawing drawing(drawn.phenotype);
+    const BrainDrawing drawing(drawn.phenotype, row_height);
     height = std::max(height, drawing.height());
     Panel panel;
     panel.title = drawn.name;
     panel.subtitle = drawn.senses;
     panel.svg = drawing.Shapes();
-    panel.left = kSensorColumn - kSquare;
+    panel.left = drawing.left();
     panel.width = kJointColumn + kSquare + kTextWidth - panel.left;
     panels.push_back(std::move(panel));
   }
   for (Panel& panel : panels) {
-    panel.top = -kRowHeight / 2;
-    panel.height = height;
+    // A loop of the first row rises above it.
+    panel.top = -row_height / 2 - (has_loop ? 20 : 0);
+    panel.height = height + (has_loop ? 20 : 0);
   }
   return PanelsSvg(title, panels, LegendOf(brains), kStyle);
 }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 
 #include "runtime/formats/svg_style.h"
@@ -29,8 +30,9 @@ constexpr int kSubtitleSize = 14;
 constexpr int kLegendSize = 15;
 
 int TextWidth(const std::string& text, int size) {
-  return static_cast<int>(static_cast<double>(LettersOf(text)) * kLetter *
-                          size);
+  return static_cast<int>(
+             std::ceil(static_cast<double>(LettersOf(text)) * kLetter * size)) +
+         1;
 }
 
 std::string Fitted(const std::string& text, int width, int size) {
@@ -96,9 +98,10 @@ Legend LegendShapes(const std::vector<LegendEntry>& entries, int width,
   int x = kMargin;
   int y = top;
   for (const LegendEntry& entry : entries) {
-    const int most = width - 2 * kMargin - kLegendIcon - 8;
+    const int before = entry.icon.empty() ? 0 : kLegendIcon + 8;
+    const int most = width - 2 * kMargin - before;
     const int length = std::min(TextWidth(entry.text, kLegendSize), most);
-    const int taken = kLegendIcon + 8 + length;
+    const int taken = before + length;
     if (x > kMargin && x + taken > width - kMargin) {
       x = kMargin;
       y += kLegendLine;
@@ -108,8 +111,8 @@ Legend LegendShapes(const std::vector<LegendEntry>& entries, int width,
                    R"(<text x="{}" y="{}" class="legend">{}</text>)"
                    "\n",
                    x + kLegendIcon / 2, y + kLegendLine / 2, entry.icon,
-                   x + kLegendIcon + 8, y + kLegendLine / 2 + 5,
-                   Fitted(entry.text, length + 1, kLegendSize));
+                   x + before, y + kLegendLine / 2 + 5,
+                   Fitted(entry.text, length, kLegendSize));
     x += taken + kLegendSpace;
   }
   if (!entries.empty()) legend.height = y + kLegendLine - top;
@@ -155,7 +158,7 @@ std::string PanelsSvg(const std::string& title,
              "\n",
              width, y + below.height + kMargin / 2, EscapeXml(title),
              kTitleSize, kHeadingSize, kSubtitleSize, kLegendSize, style,
-             width / 2, Fitted(title, width - 2 * kMargin + 1, kTitleSize)) +
+             width / 2, Fitted(title, width - 2 * kMargin, kTitleSize)) +
          shapes + below.svg + "</svg>\n";
 }
 

@@ -20,7 +20,8 @@ struct Panel {
 };
 
 struct LegendEntry {
-  std::string icon;  ///< elements around (0, 0), at most kLegendIcon wide
+  std::string icon;  ///< elements around (0, 0), at most kLegendIcon wide; or
+                     ///< nothing
   std::string text;
 };
 inline constexpr int kLegendIcon = 30;  ///< px
