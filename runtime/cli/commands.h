@@ -68,6 +68,21 @@ struct DevelopCommand {
   bool allow_range = false;
 };
 
+/// What a module's colour tells.
+enum class ColourBy : std::uint8_t { kType, kRule };
+
+struct DrawCommand {
+  std::string file;        ///< a genotype file, or the store of a run
+  std::string individual;  ///< of a run: an id or "best"; else empty
+  std::vector<std::string> environments;  ///< as DevelopCommand's
+  bool brain = false;
+  ColourBy colour = ColourBy::kType;
+  std::string output;  ///< an .svg or .png; empty: the terminal
+  double scale = 2;    ///< pixels of a PNG per px of the SVG
+  bool terminal = false;
+  bool allow_range = false;
+};
+
 struct LintCommand {
   std::vector<std::string> files;
   OutputFormat format = OutputFormat::kText;
@@ -197,10 +212,10 @@ struct Answer {
 };
 
 using Command =
-    std::variant<Answer, CheckCommand, DevelopCommand, EvolveCommand,
-                 ExplainCommand, ExportCommand, FixCommand, FmtCommand,
-                 LintCommand, RandomCommand, RegulateCommand, ReplayCommand,
-                 ShowCommand, SimulateCommand, StudyListCommand,
+    std::variant<Answer, CheckCommand, DevelopCommand, DrawCommand,
+                 EvolveCommand, ExplainCommand, ExportCommand, FixCommand,
+                 FmtCommand, LintCommand, RandomCommand, RegulateCommand,
+                 ReplayCommand, ShowCommand, SimulateCommand, StudyListCommand,
                  StudyRunCommand, StudyStatusCommand, TestCommand, ViewCommand,
                  WhyCommand>;
 
@@ -214,6 +229,7 @@ Exit Run(const ExportCommand& command, Io& io);
 Exit Run(const FixCommand& command, Io& io);
 Exit Run(const FmtCommand& command, Io& io);
 Exit Run(const DevelopCommand& command, Io& io);
+Exit Run(const DrawCommand& command, Io& io);
 Exit Run(const LintCommand& command, Io& io);
 Exit Run(const RegulateCommand& command, Io& io);
 Exit Run(const ReplayCommand& command, Io& io);
