@@ -18,7 +18,9 @@ ARROWS = {
     "runtime/evolve": {"runtime/evolve", "runtime", "compiler", "grammar", "sim"},
     "runtime/store": {"runtime/store", "runtime/evolve", "runtime", "compiler", "grammar", "sim"},
     "runtime/study": {"runtime/study", "runtime/store", "runtime/evolve", "runtime", "compiler", "grammar", "sim"},
-    "runtime/cli": {"runtime/cli", "runtime/study", "runtime/store", "runtime/evolve", "runtime", "compiler", "grammar", "sim"},
+    "runtime/report": {"runtime/report", "runtime/study", "runtime/store", "runtime/evolve", "runtime", "compiler", "grammar", "sim"},
+    "runtime/pages": {"runtime/pages", "runtime"},
+    "runtime/cli": {"runtime/cli", "runtime/report", "runtime/pages", "runtime/study", "runtime/store", "runtime/evolve", "runtime", "compiler", "grammar", "sim"},
 }
 # Library -> where its headers may be included.
 DOORS = {

@@ -8,6 +8,12 @@ libeigen3-dev libode-dev catch2 libyaml-cpp-dev libcli11-dev \
 nlohmann-json3-dev librandom123-dev libsqlite3-dev libxxhash-dev \
 libopenmpi-dev openmpi-bin python3"
 
+# Pages are bundled with npm, which a Node.js from elsewhere than Debian brings
+# itself.
+command -v npm >/dev/null 2>&1 || PLSC_PACKAGES="$PLSC_PACKAGES nodejs npm"
+# What tests alone need: a browser to open the pages in.
+PLSC_TEST_PACKAGES="chromium"
+
 plsc_fail() {
   echo "$(basename "$0"): $1" >&2
   exit 1

@@ -32,6 +32,6 @@ while [ $# -gt 0 ]; do
   esac
 done
 
-plsc_install $PLSC_PACKAGES
+plsc_install $PLSC_PACKAGES $PLSC_TEST_PACKAGES
 plsc_build "$preset"
 ctest --preset "$preset" -j"$(nproc)" "${labels[@]}"

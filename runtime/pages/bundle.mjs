@@ -1,0 +1,90 @@
+// Bundles every page (src/PAGE/main.js and the style that it imports) with
+// esbuild and writes them as one C++ source.
+// usage: node bundle.mjs NODE_MODULES OUTPUT.cc
+import { readdirSync, readFileSync, writeFileSync } from "node:fs";
+import { createRequire } from "node:module";
+import { basename, dirname, join } from "node:path";
+import { fileURLToPath } from "node:url";
+
+const [modules, output] = process.argv.slice(2);
+const esbuild = createRequire(join(modules, "x.js"))("esbuild");
+const here = dirname(fileURLToPath(import.meta.url));
+const pages = ["report", "view", "explain"]; // as PageKind in page.h
+
+// The libraries' licences want to go where their code goes.
+function notices(metafile) {
+  const folders = new Set();
+  for (const input of Object.keys(metafile.inputs)) {
+    const match = input.match(/^(.*node_modules\/(?:@[^/]+\/)?[^/]+)\//);
+    if (match) folders.add(match[1]);
+  }
+  const byText = new Map();
+  for (const folder of [...folders].sort()) {
+    const about = JSON.parse(readFileSync(join(here, folder, "package.json")));
+    const file = readdirSync(join(here, folder)).find((name) => /^licen[sc]e/i.test(name));
+    const text = file ? readFileSync(join(here, folder, file), "utf8").trim() : about.license;
+    byText.set(text, [...(byText.get(text) ?? []), `${about.name} ${about.version}`]);
+  }
+  return [...byText]
+    .map(([text, names]) => `Of ${names.join(", ")}:\n${text.replaceAll("*/", "* /")}`)
+    .join("\n\n");
+}
+
+async function bundle(page) {
+  const result = await esbuild.build({
+    entryPoints: [join(here, "src", page, "main.js")],
+    absWorkingDir: here,
+    nodePaths: [modules],
+    bundle: true,
+    minify: true,
+    write: false,
+    outdir: "/bundle",
+    format: "iife",
+    target: ["es2022"],
+    charset: "utf8",
+    legalComments: "none", // notices() has them whole
+    metafile: true,
+    logLevel: "warning",
+    loader: { ".svg": "text" },
+  });
+  const text = (ending) => result.outputFiles.find((file) => basename(file.path) === `main.${ending}`)?.text ?? "";
+  const notice = notices(result.metafile);
+  const script = (notice ? `/*\n${notice}\n*/\n` : "") + text("js");
+  // In HTML these end a script, or change what ends it.
+  if (/<\/script|<!--/i.test(script) || /<\/style/i.test(text("css")))
+    throw new Error(`the bundle of '${page}' cannot stand in HTML`);
+  return { script, style: text("css") };
+}
+
+// In pieces, as compilers bound the length of one literal.
+function literal(text) {
+  const escape = (c) => (/[\\"?]/.test(c) ? `\\${c}` : `\\${c.charCodeAt(0).toString(8).padStart(3, "0")}`);
+  const pieces = [];
+  for (let at = 0; at < text.length; ) {
+    let end = at + 8000;
+    if (/[\ud800-\udbff]/.test(text[end - 1] ?? "")) ++end; // one character, two units
+    pieces.push(`    "${text.slice(at, end).replace(/[\\"?\x00-\x1f\x7f]/g, escape)}"`);
+    at = end;
+  }
+  return pieces.length ? pieces.join("\n") : '    ""';
+}
+
+const built = await Promise.all(pages.map(bundle));
+let source = `// Written by runtime/pages/bundle.mjs.
+#include "runtime/pages/bundles.h"
+
+namespace plsc {
+
+bool HasPages() { return true; }
+
+Bundle BundleOf(PageKind kind) {
+  using namespace std::string_view_literals;
+  switch (kind) {
+`;
+pages.forEach((page, i) => {
+  const name = `k${page[0].toUpperCase()}${page.slice(1)}`;
+  const view = (text) => `std::string_view(\n${literal(text)},\n    ${Buffer.byteLength(text)})`;
+  source += `    case PageKind::${name}:\n      return {${view(built[i].script)},\n  ${view(built[i].style)}};\n`;
+});
+source += "  }\n  return {};\n}\n\n}  // namespace plsc\n";
+writeFileSync(output, source);

@@ -1,0 +1,13 @@
+#include "runtime/pages/bundles.h"
+
+namespace plsc {
+
+bool HasPages() {
+  return false;
+}
+
+Bundle BundleOf(PageKind /*kind*/) {
+  return {};
+}
+
+}  // namespace plsc
