@@ -182,6 +182,7 @@ Command ParseArguments(const std::vector<std::string>& arguments) {
   commands.Add(study, AddStudyList);
   commands.Add(study, AddStudyRun);
   commands.Add(study, AddStudyStatus);
+  commands.Add(app, AddReport);
   commands.Add(app, AddWhy);
   commands.Add(app, AddTest);
   commands.Add(app, AddRandom);

@@ -38,10 +38,10 @@ Quartiles QuartilesOf(std::vector<double> values) {
   return OfSorted(values);
 }
 
-Box BoxOf(std::vector<double> values) {
+BoxPlot BoxPlotOf(std::vector<double> values) {
   assert(!values.empty());
   std::sort(values.begin(), values.end());
-  Box box;
+  BoxPlot box;
   box.quartiles = OfSorted(values);
   const double reach = kReach * (box.quartiles.high - box.quartiles.low);
   const double low = box.quartiles.low - reach;

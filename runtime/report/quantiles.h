@@ -21,7 +21,7 @@ Quartiles QuartilesOf(std::vector<double> values);
 
 /// A box plot's numbers: whiskers end at the farthest values within 1.5 times
 /// the box from it (Tukey), and all beyond them are outliers.
-struct Box {
+struct BoxPlot {
   Quartiles quartiles;
   double low_whisker = 0;
   double high_whisker = 0;
@@ -29,6 +29,6 @@ struct Box {
   std::vector<double> outliers;  ///< ascending
 };
 /// Of values that are there at all.
-Box BoxOf(std::vector<double> values);
+BoxPlot BoxPlotOf(std::vector<double> values);
 
 }  // namespace plsc

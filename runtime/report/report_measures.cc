@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cctype>
 
-#include "grammar/suggest.h"
 #include "runtime/store/schema.h"
 
 namespace plsc {
@@ -46,9 +45,10 @@ void AddOthers(const std::vector<std::string>& columns, MeasureSource source,
 std::string Folded(std::string_view text) {
   std::string folded;
   for (const char c : text)
-    folded += c == ' ' ? '_'
-                       : static_cast<char>(
-                             std::tolower(static_cast<unsigned char>(c)));
+    folded +=
+        c == ' '
+            ? '_'
+            : static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   const std::size_t begin = folded.find_first_not_of('_');
   if (begin == std::string::npos) return "";
   return folded.substr(begin, folded.find_last_not_of('_') + 1 - begin);
@@ -80,8 +80,8 @@ Measures PaperMeasures() {
 
 Measures AllMeasures() {
   Measures all = PaperMeasures();
-  all.push_back({"fitness", "Fitness", "cm/s", kCentimetres,
-                 MeasureSource::kEvaluation});
+  all.push_back(
+      {"fitness", "Fitness", "cm/s", kCentimetres, MeasureSource::kEvaluation});
   AddOthers(BehaviourColumns(), MeasureSource::kBehaviour, all);
   AddOthers(BodyColumns(), MeasureSource::kBody, all);
   AddOthers(BrainColumns(), MeasureSource::kBrain, all);
@@ -96,8 +96,8 @@ Loaded<Measures> ChooseMeasures(std::string_view text) {
   for (const ReportMeasure& measure : all) names.push_back(measure.id);
   Measures chosen;
   for (const std::string& name : Split(text)) {
-    const auto found = std::find_if(
-        all.begin(), all.end(), [&](const ReportMeasure& measure) {
+    const auto found =
+        std::find_if(all.begin(), all.end(), [&](const ReportMeasure& measure) {
           return measure.id == name || Folded(measure.title) == name;
         });
     if (found == all.end())

@@ -29,9 +29,8 @@ Ranked Rank(const std::vector<double>& x, const std::vector<double>& y) {
   std::vector<Value> all;
   for (const double value : x) all.push_back({value, true});
   for (const double value : y) all.push_back({value, false});
-  std::sort(all.begin(), all.end(), [](const Value& a, const Value& b) {
-    return a.value < b.value;
-  });
+  std::sort(all.begin(), all.end(),
+            [](const Value& a, const Value& b) { return a.value < b.value; });
   const auto n = static_cast<double>(x.size());
   Ranked ranked{-n * (n + 1) / 2, 0};
   for (std::size_t begin = 0; begin < all.size();) {
@@ -50,22 +49,22 @@ Ranked Rank(const std::vector<double>& x, const std::vector<double>& y) {
 
 double ExactP(double w, double m, double n) {
   // The tail that W is in, W itself included, twice.
-  const double tail = w > m * n / 2 ? pwilcox(w - 1, m, n, 0, 0)
-                                    : pwilcox(w, m, n, 1, 0);
+  const double tail =
+      w > m * n / 2 ? pwilcox(w - 1, m, n, 0, 0) : pwilcox(w, m, n, 1, 0);
   return std::min(2 * tail, 1.0);
 }
 
 std::optional<double> NormalP(const Ranked& ranked, double m, double n) {
   const double sum = m + n;
-  const double sigma = std::sqrt(
-      m * n / 12 * (sum + 1 - ranked.ties / (sum * (sum - 1))));
+  const double sigma =
+      std::sqrt(m * n / 12 * (sum + 1 - ranked.ties / (sum * (sum - 1))));
   if (!(sigma > 0)) return std::nullopt;
   const double difference = ranked.w - m * n / 2;
   const double continuity =
       difference > 0 ? 0.5 : (difference < 0 ? -0.5 : 0.0);
   const double z = (difference - continuity) / sigma;
-  return std::min(1.0, 2 * std::min(pnorm(z, 0, 1, 1, 0),
-                                    pnorm(z, 0, 1, 0, 0)));
+  return std::min(1.0,
+                  2 * std::min(pnorm(z, 0, 1, 1, 0), pnorm(z, 0, 1, 0, 0)));
 }
 
 }  // namespace
@@ -78,8 +77,8 @@ std::optional<RankSum> RankSumTest(const std::vector<double>& x,
   const auto n = static_cast<double>(y.size());
   RankSum test;
   test.w = ranked.w;
-  test.is_exact = x.size() < kExactBelow && y.size() < kExactBelow &&
-                  ranked.ties == 0;
+  test.is_exact =
+      x.size() < kExactBelow && y.size() < kExactBelow && ranked.ties == 0;
   if (test.is_exact) {
     test.p = ExactP(ranked.w, m, n);
     return test;

@@ -140,18 +140,16 @@ void ReportOn(const std::string& folder, const std::string& page,
     std::istringstream in;
     std::ostringstream out;
     cli::Io io{in, out, std::cerr};
-    const cli::Exit exit =
-        cli::Main({"report", folder, "-o", page, "--quiet", "--measures",
-                   measures},
-                  io);
+    const cli::Exit exit = cli::Main(
+        {"report", folder, "-o", page, "--quiet", "--measures", measures}, io);
     _exit(static_cast<int>(exit));
   }
   int status = 0;
   rusage usage{};
   wait4(child, &status, 0, &usage);
-  const double seconds = std::chrono::duration<double>(
-                             std::chrono::steady_clock::now() - begin)
-                             .count();
+  const double seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin)
+          .count();
   const auto cpu = [](const timeval& t) {
     return static_cast<double>(t.tv_sec) +
            1e-6 * static_cast<double>(t.tv_usec);
@@ -184,8 +182,8 @@ Options ParseOptions(int argc, char** argv) {
 }
 
 int Main(const Options& options) {
-  const fs::path own = fs::temp_directory_path() /
-                       fmt::format("plsc_report_bench_{}", getpid());
+  const fs::path own =
+      fs::temp_directory_path() / fmt::format("plsc_report_bench_{}", getpid());
   const std::string folder =
       options.folder.empty() ? own.string() : options.folder;
   const Study study = MakeStudy(options.is_smoke);
