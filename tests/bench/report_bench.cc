@@ -14,8 +14,10 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <iostream>
@@ -34,15 +36,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// As if simulated: speeds that differ between phenotypes, and are higher for
-/// bodies with more joints, so that selection has something to do.
+/// As if simulated: numbers that differ between phenotypes.
 Simulated Stub(const Phenotype& robot, const Season& season) {
   Simulated stub;
   const Key key = KeyOf(BodyJson(robot.body) + BrainJson(robot) + season.name);
-  const double joints = DescribeBody(robot.body).active_hinges_count;
   stub.behaviour.is_valid = true;
   stub.behaviour.displacement_velocity_hill =
-      std::ldexp(static_cast<double>(key.low >> 11), -58) * (1 + joints);
+      std::ldexp(static_cast<double>(key.low >> 11), -58);
   stub.behaviour.velocity = stub.behaviour.displacement_velocity_hill;
   stub.behaviour.displacement_velocity = stub.behaviour.velocity;
   stub.behaviour.head_balance = std::ldexp(static_cast<double>(key.high), -64);
@@ -94,6 +94,8 @@ void EvolveInto(const std::string& path, const Experiment& experiment) {
   SessionEnd end;
   end.ended = "2026-01-01T01:00:00Z";
   end.how = "finished";
+  end.seconds = 3600;
+  end.cpu_seconds = 7200;
   end.evaluations = result.evaluations;
   end.simulated = result.counts_of_work.simulations;
   end.looked_up = result.counts_of_work.looked_up;
@@ -135,6 +137,7 @@ void MakeRuns(const std::string& folder, const Study& study, int distinct) {
 void ReportOn(const std::string& folder, const std::string& page,
               const std::string& measures) {
   const auto begin = std::chrono::steady_clock::now();
+  std::fflush(stdout);  // or the child would print it, too
   const pid_t child = fork();
   if (child == 0) {
     std::istringstream in;

@@ -1,7 +1,7 @@
 // Box plots of the generation that is compared, with a dot a run, the tests
 // between experiments as brackets, and static experiments as lines.
 import * as Plot from "@observablehq/plot";
-import { addLegend, chartFigure, legendHeight } from "./chart.js";
+import { addLegend, axisTitle, chartFigure, legendHeight } from "./chart.js";
 
 const height = 270;
 const left = 46;
@@ -71,9 +71,10 @@ export function boxesFigure(chart) {
     marginBottom: 36,
     marginRight: 14,
     x: { type: "linear", domain: [-0.6, count - 0.4], ticks: chart.boxes.map((_, i) => i), tickFormat: (i) => label(chart.boxes[i].name), label: null, tickSize: 0, tickPadding: 8 },
-    y: { label: chart.yLabel, labelArrow: "none", domain: [low, high + step * (brackets.length + (brackets.length ? 0.6 : 0))], nice: true, ticks: 6, grid: true },
+    y: { label: null, domain: [low, high + step * (brackets.length + (brackets.length ? 0.6 : 0))], nice: true, ticks: 6, grid: true },
     style: { fontSize: "11px", fontFamily: "system-ui, 'DejaVu Sans', sans-serif", color: "#1b1b1b" },
     marks: [
+      axisTitle(chart.yLabel, left),
       chart.references.map(({ mean, style }) => Plot.ruleY([mean], { stroke: style.colour, strokeWidth: 1.75, strokeDasharray: style.dash })),
       chart.boxes.map((box, i) => boxMarks(box, i, box.style)),
       bracketMarks(brackets),

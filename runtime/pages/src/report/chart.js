@@ -1,5 +1,6 @@
 // The frame of every chart: the drawing, its legend as part of it, a caption,
 // and the buttons that hand out the drawing as SVG and its numbers as CSV.
+import * as Plot from "@observablehq/plot";
 import { download, element } from "../common/dom.js";
 import { csv } from "./csv.js";
 
@@ -17,11 +18,12 @@ function svgElement(tag, attributes, text) {
 const shortened = (text, length) => (text.length > length ? `${text.slice(0, length - 1)}…` : text);
 
 // Entries in rows that fit: [{text, style, x, y}], and the height of all.
-function arrange(entries, width, left) {
+function arrange(entries, width) {
+  const left = 8;
   let x = left;
   let row = 0;
   const placed = entries.map((entry) => {
-    const text = shortened(entry.text, Math.floor((width - left - 40) / letterWidth));
+    const text = shortened(entry.text, Math.floor((width - 48) / letterWidth));
     const needed = 32 + text.length * letterWidth + 12;
     if (x > left && x + needed > width) {
       x = left;
@@ -34,13 +36,13 @@ function arrange(entries, width, left) {
   return { placed, height: entries.length ? (row + 1) * rowHeight + 6 : 0 };
 }
 
-export const legendHeight = (entries, width, left = 8) => arrange(entries, width, left).height;
+export const legendHeight = (entries, width) => arrange(entries, width).height;
 
 // Draws the legend into the margin that the chart has left for it.
 // Entries: {text, colour, dash, isArea}.
-export function addLegend(svg, entries, width, left = 8) {
+export function addLegend(svg, entries, width) {
   const group = svgElement("g", { "aria-label": "legend", "font-size": 11, "text-anchor": "start", class: "legend" });
-  for (const { text, colour, dash, isArea, x, y } of arrange(entries, width, left).placed) {
+  for (const { text, colour, dash, isArea, x, y } of arrange(entries, width).placed) {
     group.append(
       isArea
         ? svgElement("rect", { x, y: y - 9, width: 14, height: 10, fill: colour, stroke: "#444", "stroke-width": 0.5 })
@@ -50,6 +52,10 @@ export function addLegend(svg, entries, width, left = 8) {
   }
   svg.append(group);
 }
+
+// Over the vertical axis, to which it belongs; Plot's own would stand over the
+// legend.
+export const axisTitle = (text, left) => Plot.text([text], { frameAnchor: "top-left", textAnchor: "start", lineAnchor: "bottom", dx: 6 - left, dy: -10 });
 
 // A file of its own: white ground, no tips of a pointer that was there.
 function standalone(svg, title) {
@@ -63,15 +69,17 @@ function standalone(svg, title) {
   return `<?xml version="1.0" encoding="UTF-8"?>\n${new XMLSerializer().serializeToString(copy)}\n`;
 }
 
-// `chart`: {svg, title, name, rows, caption}; name is that of its files.
+// `name` is that of its files, `rows` are objects for the CSV, `kind` is a class
+// of main.css.
 export function chartFigure({ svg, title, name, rows, caption, kind }) {
+  const { width } = svg.viewBox.baseVal;
   svg.setAttribute("role", "img");
   svg.setAttribute("aria-label", title);
   const button = (label, press) =>
     element("button", { type: "button", "aria-label": `${label} of ${title}`, onclick: press }, label);
   return element(
     "figure",
-    { class: `chart ${kind ?? ""}` },
+    { class: `chart ${kind}`, style: `flex-basis: ${width}px` },
     svg,
     element(
       "figcaption",

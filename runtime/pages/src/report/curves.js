@@ -1,9 +1,9 @@
 // Curves over generations: medians as lines, quartiles as bands.
 import * as Plot from "@observablehq/plot";
-import { addLegend, chartFigure, legendHeight } from "./chart.js";
+import { addLegend, axisTitle, chartFigure, legendHeight } from "./chart.js";
 import { number } from "./text.js";
 
-const width = 400;
+const width = 380;
 const height = 270;
 const left = 46;
 
@@ -24,7 +24,7 @@ function marksOf(line) {
 // `chart`: {title, yLabel, domain, lines, caption, name, isShare}.
 export function curvesFigure(chart) {
   const entries = chart.lines.map((line) => ({ text: line.name, ...line.style }));
-  const top = legendHeight(entries, width, left) + 22;
+  const top = legendHeight(entries, width) + 22;
   const tips = chart.lines.flatMap((line) =>
     pointsOf(line)
       .filter(({ median }) => median !== null)
@@ -38,14 +38,15 @@ export function curvesFigure(chart) {
     marginBottom: 36,
     marginRight: 14,
     x: { label: "generation", labelAnchor: "center", labelArrow: "none", tickFormat: "d", ticks: 5, domain: chart.generations },
-    y: { label: chart.yLabel, labelArrow: "none", domain: chart.domain, nice: true, ticks: 6, grid: true, percent: chart.isShare },
+    y: { label: null, domain: chart.domain, nice: true, ticks: 6, grid: true, percent: chart.isShare },
     style: { fontSize: "11px", fontFamily: "system-ui, 'DejaVu Sans', sans-serif", color: "#1b1b1b" },
     marks: [
+      axisTitle(chart.yLabel, left),
       chart.lines.map(marksOf),
       Plot.tip(tips, Plot.pointer({ x: "generation", y: "median", title: "text", fontSize: 11 })),
     ],
   });
-  addLegend(svg, entries, width, left);
+  addLegend(svg, entries, width);
   const rows = chart.lines.flatMap((line) =>
     pointsOf(line).map(({ generation, runs, low, median, high }) => ({ ...chart.columns, experiment: line.name, generation, runs, quartile_1: low, median, quartile_3: high })),
   );

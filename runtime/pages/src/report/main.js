@@ -17,9 +17,15 @@ function statesText(runs) {
   return [...counts].map(([state, count]) => `${count} ${state}`).join(", ");
 }
 
+// "flat (50 s)", "slope (tilted: 5 deg, 50 s)".
+function seasonText({ name, terrain, duration }) {
+  const ground = terrain.replace(/^\{(.*)\}$/, "$1");
+  return `${name} (${ground === name ? "" : `${ground}, `}${duration} s)`;
+}
+
 const experimentText = (one) =>
   `${one.encoding}, population ${one.population} + ${one.offspring}, ${plural(one.generations, "generation")}, ` +
-  one.seasons.map(({ name, terrain, duration }) => `${name} (${terrain}, ${duration} s)`).join(" then ") +
+  one.seasons.map(seasonText).join(" then ") +
   (one.static ? "; a reference" : "");
 
 function header(data) {

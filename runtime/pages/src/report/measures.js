@@ -29,7 +29,7 @@ function curveCaption(data, season, lines) {
 function boxCaption(data, season, boxes, tests) {
   const n = boxes.map(({ values }) => values.length);
   const told = tests.map(({ p }) => (p === null ? "no test: all values are equal" : `p = ${pValue(p)}`));
-  const test = told.length === 1 ? ` Rank-sum test: ${told[0]}.` : "";
+  const test = told.length === 1 ? ` Rank-sum test: ${told[0].replaceAll(" ", "\u00a0")}.` : "";
   return `${season}, generation ${data.generation}: population means, n = ${n.join(", ")} runs.${test}`;
 }
 

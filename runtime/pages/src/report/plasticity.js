@@ -44,6 +44,8 @@ function patternName(seasons, held) {
 }
 
 const barWidth = 560;
+const longest = 46; // letters of a clause that there is room for
+const letterWidth = 6;
 const rowHeight = 22;
 
 function clauseFigure(data, one, kind, title) {
@@ -54,14 +56,14 @@ function clauseFigure(data, one, kind, title) {
   const of = new Map(patterns.map((entry) => [entry.pattern, entry]));
   const shown = one[kind].slice(0, 12);
   const name = (item) => item.name || "(always)";
-  const long = (text) => (text.length > 30 ? `${text.slice(0, 29)}…` : text);
+  const long = (text) => (text.length > longest ? `${text.slice(0, longest - 1)}…` : text);
   const bars = shown.flatMap((item) =>
     patterns.flatMap(({ pattern, text, colour }) => {
       const found = item.held.find(({ seasons: where }) => JSON.stringify(where) === pattern);
       return found ? [{ item: name(item), text, colour, share: (100 * found.rules) / item.rules, rules: found.rules }] : [];
     }),
   );
-  const left = kind === "clauses" ? 190 : 60;
+  const left = 24 + letterWidth * Math.min(longest, Math.max(...shown.map((item) => name(item).length)));
   const entries = patterns.map(({ text, colour }) => ({ text, colour, isArea: true }));
   const top = legendHeight(entries, barWidth) + 8;
   const svg = Plot.plot({
