@@ -23,6 +23,7 @@ CLI::App* AddFmt(CLI::App& app, FmtCommand& command);
 CLI::App* AddLint(CLI::App& app, LintCommand& command);
 CLI::App* AddRandom(CLI::App& app, RandomCommand& command);
 CLI::App* AddReplay(CLI::App& app, ReplayCommand& command);
+CLI::App* AddReport(CLI::App& app, ReportCommand& command);
 CLI::App* AddShow(CLI::App& app, ShowCommand& command);
 CLI::App* AddRegulate(CLI::App& app, RegulateCommand& command);
 CLI::App* AddSimulate(CLI::App& app, SimulateCommand& command);

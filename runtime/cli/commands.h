@@ -171,6 +171,16 @@ struct WhyCommand {
   bool allow_range = false;
 };
 
+enum class ReportFormat : std::uint8_t { kHtml, kJson };
+
+struct ReportCommand {
+  std::vector<std::string> paths;  ///< folders of studies, runs
+  std::string output;              ///< empty: standard output, kJson only
+  std::string measures = "paper";
+  ReportFormat format = ReportFormat::kHtml;
+  bool quiet = false;
+};
+
 enum class TestFormat : std::uint8_t { kText, kJson, kJunit };
 
 struct StudyRunCommand {
@@ -215,9 +225,9 @@ using Command =
     std::variant<Answer, CheckCommand, DevelopCommand, DrawCommand,
                  EvolveCommand, ExplainCommand, ExportCommand, FixCommand,
                  FmtCommand, LintCommand, RandomCommand, RegulateCommand,
-                 ReplayCommand, ShowCommand, SimulateCommand, StudyListCommand,
-                 StudyRunCommand, StudyStatusCommand, TestCommand, ViewCommand,
-                 WhyCommand>;
+                 ReplayCommand, ReportCommand, ShowCommand, SimulateCommand,
+                 StudyListCommand, StudyRunCommand, StudyStatusCommand,
+                 TestCommand, ViewCommand, WhyCommand>;
 
 /// `arguments` without the program's name.
 Command ParseArguments(const std::vector<std::string>& arguments);
@@ -233,6 +243,7 @@ Exit Run(const DrawCommand& command, Io& io);
 Exit Run(const LintCommand& command, Io& io);
 Exit Run(const RegulateCommand& command, Io& io);
 Exit Run(const ReplayCommand& command, Io& io);
+Exit Run(const ReportCommand& command, Io& io);
 Exit Run(const ShowCommand& command, Io& io);
 Exit Run(const SimulateCommand& command, Io& io);
 Exit Run(const StudyListCommand& command, Io& io);
