@@ -5,6 +5,7 @@
 #include "runtime/cli/commands.h"
 #include "runtime/cli/interrupt.h"
 #include "runtime/cli/recorded_life.h"
+#include "runtime/cli/view_explain.h"
 #include "runtime/cli/view_lives.h"
 #include "runtime/formats/view_json.h"
 #include "runtime/pages/page.h"
@@ -25,6 +26,7 @@ std::string TitleOf(const std::vector<ViewedLife>& lives) {
 }  // namespace
 
 Exit Run(const ViewCommand& command, Io& io) {
+  if (command.explain) return Explain(command, io);
   if (!HasPages()) {
     io.err << "error: this plsc was built without npm, and has no pages\n";
     return Exit::kBadInput;
