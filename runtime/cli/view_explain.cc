@@ -19,7 +19,7 @@ namespace {
 
 /// Most symbols that a robot's rewritings may have together: a page of more
 /// elements answers slowly to the pointer. The paper's have hundreds.
-constexpr std::size_t kMostSymbols = 40000;
+constexpr std::size_t kMostSymbols = 20000;
 
 std::variant<ExplainedRobot, Exit> ExplainOne(const RobotAsked& asked, Io& io) {
   auto found = FindRobot(asked, io);

@@ -1,18 +1,19 @@
 // Late development: each symbol of the last string and what it did, or why it
 // was not expressed.
 import { element } from "../common/dom.js";
-import { textOf } from "./model.js";
+import { shortened, textOf } from "./model.js";
 
 function eventView(robot, environment, event, index) {
   const one = environment.insertions[environment.string[index] - 1];
+  const text = textOf(robot, one);
   return element(
     "li",
     { class: event.expressed ? "expressed" : "silent" },
     element(
       "button",
-      { type: "button", class: "event", "data-key": `ev:${environment.number}:${index + 1}` },
+      { type: "button", class: "event", "data-key": `ev:${environment.number}:${index + 1}`, title: text },
       element("span", { class: "index" }, `${index + 1}`),
-      element("span", { class: "what" }, element("code", {}, textOf(robot, one)), " ", event.text),
+      element("span", { class: "what" }, element("code", {}, shortened(text)), " ", shortened(event.text)),
     ),
   );
 }

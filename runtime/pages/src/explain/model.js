@@ -45,6 +45,12 @@ export function nameOf(robot, one) {
   return one.rule === 0 ? robot.axiom : robot.rules[one.rule - 1].symbols[one.position - 1].name;
 }
 
+// Evolved numbers have 17 digits; three tell enough where space is scarce. The
+// number of a name, such as node3, has no point and stays.
+export function shortened(text) {
+  return text.replace(/-?\d+\.\d+(?:e[-+]?\d+)?/g, (number) => String(Number(Number(number).toPrecision(3))));
+}
+
 // "inclined = True and hot = False", or "always".
 export function clauseOf(rule) {
   if (rule.terms.length === 0) return "always";

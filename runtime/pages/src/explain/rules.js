@@ -1,7 +1,7 @@
 // The rules of the genotype: clause terms that hold or do not, by environment,
 // and the production's symbols.
 import { element } from "../common/dom.js";
-import { clauseOf } from "./model.js";
+import { clauseOf, shortened } from "./model.js";
 
 // "flat: active", and which terms hold there.
 function verdict(environment, rule, index) {
@@ -37,7 +37,7 @@ function ruleView(robot, index, swatch) {
       "div",
       { class: "chips" },
       rule.symbols.map((symbol, i) =>
-        element("button", { type: "button", class: "chip", "data-key": `symbol:${number}:${i + 1}` }, symbol.text),
+        element("button", { type: "button", class: "chip", "data-key": `symbol:${number}:${i + 1}`, title: symbol.text }, shortened(symbol.text)),
       ),
     ),
   );
