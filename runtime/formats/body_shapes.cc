@@ -98,7 +98,7 @@ bool IsSensor(const Module& module) {
 
 // Dashed lines lie on a white one, so that they are seen on any colour.
 std::string OutlineShape(const Bar& bar, ModuleMark mark) {
-  const std::string black = BarShape(
+  std::string black = BarShape(
       bar,
       std::string(R"(fill="none" stroke="#000" )"
                   R"(stroke-width="6" class="mark")") +
