@@ -110,6 +110,8 @@ TEST_CASE("draw says what is wrong, and leaves nothing behind", "[draw]") {
   const test::TemporaryFolder folder;
   const std::string file = folder.Write("robot.pls", kPlasticText);
   const std::string run = test::FinishedRun().path();
+  const std::string damaged =
+      folder.Write("damaged.sqlite", "SQLite format 3 and no more");
   const std::string bomb = folder.Write("bomb.pls", R"(plsc 1
 genotype bomb
 alphabet plasticoding 1
@@ -135,6 +137,7 @@ rule B -> { B B }
       {"a run without a robot", {run}, 2, "add a number, or best"},
       {"no such robot", {run, "99"}, 1, "99"},
       {"no number", {run, "x"}, 1, "or best"},
+      {"a damaged store", {damaged, "best"}, 1, "damaged.sqlite"},
       {"a robot of no run", {file, "1"}, 1, "robot.pls"},
       {"a string that grows", {bomb}, 1, "P4001"},
       {"no bodies",
@@ -154,7 +157,8 @@ rule B -> { B B }
       CHECK(ran.err.find(row.message) != std::string::npos);
     }
   }
-  CHECK(folder.Files() == std::vector<std::string>{"bomb.pls", "robot.pls"});
+  CHECK(folder.Files() ==
+        std::vector<std::string>{"bomb.pls", "damaged.sqlite", "robot.pls"});
 }
 
 }  // namespace
