@@ -102,7 +102,7 @@ clock.play(wanted.has("t") ? wanted.has("play") : !isCalm);
 let last = performance.now();
 function tick(now) {
   clock.pass((now - last) / 1000);
-  if (stage?.draw() && clock.isPlaying) stage.judge(now - last);
+  if (stage?.draw(now) && clock.isPlaying) stage.judge(now - last);
   last = now;
   requestAnimationFrame(tick);
 }

@@ -1,0 +1,80 @@
+// Squares of 10 cm on the ground, as a texture and, where drawing is slow, as
+// lines alone.
+import { BufferAttribute, BufferGeometry, CanvasTexture, LineSegments, RepeatWrapping } from "three";
+import { sky } from "./colours.js";
+import { groundMaterial, partsOf } from "./materials.js";
+
+const squares = 10; // to a metre, as the legend says
+const colours = { metre: "#8795a8", half: "#b9c2ce", tenth: "#d5dbe4" };
+
+function colourOf(i) {
+  return i % squares === 0 ? colours.metre : i % 5 === 0 ? colours.half : colours.tenth;
+}
+
+// A square metre; `hasArrows` that point uphill.
+function draw(hasArrows) {
+  const side = 1024; // px
+  const canvas = document.createElement("canvas");
+  canvas.width = canvas.height = side;
+  const pen = canvas.getContext("2d");
+  pen.fillStyle = sky;
+  pen.fillRect(0, 0, side, side);
+  // Metres last: they cross all others.
+  for (const i of [1, 2, 3, 4, 6, 7, 8, 9, 5, 0, 10]) {
+    const at = (i * side) / squares;
+    pen.strokeStyle = colourOf(i);
+    pen.lineWidth = i % squares === 0 ? 7 : 4;
+    pen.beginPath();
+    pen.moveTo(at, 0);
+    pen.lineTo(at, side);
+    pen.moveTo(0, at);
+    pen.lineTo(side, at);
+    pen.stroke();
+  }
+  if (hasArrows) drawArrows(pen, side);
+  return canvas;
+}
+
+function drawArrows(pen, side) {
+  pen.strokeStyle = "#e0a458";
+  pen.lineWidth = side / 90;
+  for (const x of [0.25, 0.75])
+    for (const y of [0.25, 0.75]) {
+      pen.beginPath();
+      pen.moveTo((x - 0.025) * side, (y + 0.012) * side);
+      pen.lineTo(x * side, (y - 0.012) * side);
+      pen.lineTo((x + 0.025) * side, (y + 0.012) * side);
+      pen.stroke();
+    }
+}
+
+const textures = new Map();
+export function squareMetre(hasArrows) {
+  if (!textures.has(hasArrows)) {
+    const texture = new CanvasTexture(draw(hasArrows));
+    texture.wrapS = texture.wrapT = RepeatWrapping;
+    texture.anisotropy = 8; // the ground is seen at a slant
+    textures.set(hasArrows, texture);
+  }
+  return textures.get(hasArrows);
+}
+
+// m, each way from the middle: of all lines, and of those between metres.
+const reach = 12;
+const fine = 4;
+
+export function gridLines(fading) {
+  const points = [];
+  const paints = [];
+  const add = (i, length) => {
+    const at = i / squares;
+    points.push(at, -length, 0, at, length, 0, -length, at, 0, length, at, 0);
+    for (let k = 0; k < 4; ++k) paints.push(...partsOf(colourOf(Math.abs(i))));
+  };
+  for (let i = -fine * squares; i <= fine * squares; ++i) if (i % squares !== 0) add(i, fine);
+  for (let i = -reach; i <= reach; ++i) add(i * squares, reach);
+  const geometry = new BufferGeometry();
+  geometry.setAttribute("position", new BufferAttribute(new Float32Array(points), 3));
+  geometry.setAttribute("color", new BufferAttribute(new Float32Array(paints), 3));
+  return new LineSegments(geometry, groundMaterial(null, fading, false));
+}
