@@ -7,7 +7,7 @@
 //   setRough(isRough)  drawn in less time, and less beautiful.
 import { BoxGeometry, BufferAttribute, BufferGeometry, Group, Mesh, PlaneGeometry, Vector3 } from "three";
 import { joined, paint } from "./boxes.js";
-import { groundMaterial, solidMaterial } from "./materials.js";
+import { hillMaterial, planeMaterial, solidMaterial } from "./materials.js";
 import { gridLines, squareMetre } from "./squares.js";
 import { readTrack } from "./tracks.js";
 
@@ -21,8 +21,8 @@ class Plane {
     const geometry = paint(new PlaneGeometry(reach, reach), "#ffffff");
     const uv = geometry.getAttribute("uv");
     for (let i = 0; i < uv.count; ++i) uv.setXY(i, uv.getX(i) * reach, uv.getY(i) * reach);
-    this.fine = new Mesh(geometry, groundMaterial(squareMetre(tilt !== 0), fading, false));
-    this.rough = gridLines(fading);
+    this.fine = new Mesh(geometry, planeMaterial(squareMetre(tilt !== 0), fading));
+    this.rough = gridLines(fading, tilt !== 0);
     this.object = new Group();
     this.object.rotation.x = tilt;
     this.object.add(this.fine, this.rough);
@@ -46,9 +46,9 @@ class Hills {
     Object.assign(this, { x, y, spacing, columns, rows });
     this.heights = readTrack({ ...track, rows }, columns);
     this.normal = new Vector3(0, 0, 1);
-    const geometry = paint(this.#geometry(), "#ffffff");
-    this.fine = groundMaterial(squareMetre(false), fading, true);
-    this.rough = groundMaterial(null, fading, true);
+    const geometry = paint(this.#geometry(), "#f3f6fa");
+    this.fine = hillMaterial(squareMetre(false), fading);
+    this.rough = hillMaterial(null, fading);
     this.object = new Mesh(geometry, this.fine);
   }
   #geometry() {

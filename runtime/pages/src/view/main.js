@@ -36,7 +36,7 @@ function legend() {
     { class: "legend", "aria-label": "Colours" },
     Object.entries(moduleNames).map(([type, name]) => item(moduleColours[type], name)),
     item(touchColour, "sensor that touches"),
-    element("li", { class: "quiet" }, "squares of 10 cm; the arrow on the core points ahead"),
+    element("li", { class: "quiet" }, "squares of 10 cm; the arrow on the core points ahead, arrows on the ground uphill"),
   );
 }
 

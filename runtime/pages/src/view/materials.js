@@ -14,16 +14,13 @@ const vertexShader = `
 uniform vec3 light;
 varying vec3 paint;
 varying vec2 place;
-varying float far;
 attribute vec3 color;
 void main() {
-  vec4 seen = modelViewMatrix * vec4(position, 1.0);
-  far = -seen.z;
-  gl_Position = projectionMatrix * seen;
+  gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
   paint = color;
 #ifdef IS_LIT
   vec3 up = mat3(modelMatrix) * normal;
-  paint *= 0.66 + 0.14 * up.z + 0.3 * max(dot(up, light), 0.0);
+  paint *= LIGHT;
 #endif
 #ifdef HAS_MAP
   place = uv;
@@ -38,25 +35,28 @@ uniform vec2 fade;
 uniform float opacity;
 varying vec3 paint;
 varying vec2 place;
-varying float far;
 void main() {
   vec3 seen = paint + glow;
 #ifdef HAS_MAP
   seen *= texture2D(map, place).rgb;
 #endif
 #ifdef FADES
-  seen = mix(seen, sky, clamp((far - fade.x) * fade.y, 0.0, 1.0));
+  seen = mix(seen, sky, clamp((1.0 / gl_FragCoord.w - fade.x) * fade.y, 0.0, 1.0));
 #endif
   gl_FragColor = vec4(seen, opacity);
 }`;
 
-// `fading` is shared by all that fade: a uniform, see makeFading.
-function material({ isLit = false, map = null, fading = null, ...rest }) {
+// On things bright above and not too dark below; on hills so that slopes differ.
+const onThings = "(0.66 + 0.14 * up.z + 0.3 * max(dot(up, light), 0.0))";
+const onHills = "(0.25 + 0.86 * dot(up, light))";
+
+// `light` is one of these, or nothing; `fading` is shared by all that fade: a uniform, see makeFading.
+function material({ light = null, map = null, fading = null, ...rest }) {
   return new ShaderMaterial({
     vertexShader,
     fragmentShader,
     defines: {
-      ...(isLit ? { IS_LIT: 1 } : {}),
+      ...(light ? { IS_LIT: 1, LIGHT: light } : {}),
       ...(map ? { HAS_MAP: 1 } : {}),
       ...(fading ? { FADES: 1 } : {}),
     },
@@ -81,10 +81,11 @@ export function setFading(fading, near, far) {
   fading.value = [near, 1 / (far - near)];
 }
 
-export const groundMaterial = (map, fading, isLit) => material({ map, fading, isLit });
-export const solidMaterial = (fading = null) => material({ isLit: true, fading });
+export const planeMaterial = (map, fading) => material({ map, fading });
+export const hillMaterial = (map, fading) => material({ map, fading, light: onHills });
+export const solidMaterial = (fading = null) => material({ light: onThings, fading });
 export const flatMaterial = () => material({});
-export const ghostMaterial = () => material({ isLit: true, transparent: true, depthWrite: false });
+export const ghostMaterial = () => material({ light: onThings, transparent: true, depthWrite: false });
 
 // Blended with the ground before anything solid is drawn (materials that are
 // `transparent` would come after). Where shadows of links overlap, the ground is
@@ -100,6 +101,7 @@ export function shadowMaterial() {
     stencilZPass: IncrementStencilOp,
   });
   made.uniforms.opacity.value = 0.17;
+  made.uniforms.glow.value = [-1, -0.93, -0.85]; // whatever the colour: dark
   return made;
 }
 

@@ -2,10 +2,12 @@
 // lines alone.
 import { BufferAttribute, BufferGeometry, CanvasTexture, LineSegments, RepeatWrapping } from "three";
 import { sky } from "./colours.js";
-import { groundMaterial, partsOf } from "./materials.js";
+import { partsOf, planeMaterial } from "./materials.js";
 
 const squares = 10; // to a metre, as the legend says
 const colours = { metre: "#8795a8", half: "#b9c2ce", tenth: "#d5dbe4" };
+
+const uphill = "#e0a458";
 
 function colourOf(i) {
   return i % squares === 0 ? colours.metre : i % 5 === 0 ? colours.half : colours.tenth;
@@ -36,7 +38,7 @@ function draw(hasArrows) {
 }
 
 function drawArrows(pen, side) {
-  pen.strokeStyle = "#e0a458";
+  pen.strokeStyle = uphill;
   pen.lineWidth = side / 90;
   for (const x of [0.25, 0.75])
     for (const y of [0.25, 0.75]) {
@@ -63,7 +65,15 @@ export function squareMetre(hasArrows) {
 const reach = 12;
 const fine = 4;
 
-export function gridLines(fading) {
+function addArrows(points, paints) {
+  for (let x = 0.25 - fine; x < fine; x += 0.5)
+    for (let y = 0.25 - fine; y < fine; y += 0.5) {
+      points.push(x - 0.025, y - 0.012, 0, x, y + 0.012, 0, x, y + 0.012, 0, x + 0.025, y - 0.012, 0);
+      for (let k = 0; k < 4; ++k) paints.push(...partsOf(uphill));
+    }
+}
+
+export function gridLines(fading, hasArrows) {
   const points = [];
   const paints = [];
   const add = (i, length) => {
@@ -73,8 +83,9 @@ export function gridLines(fading) {
   };
   for (let i = -fine * squares; i <= fine * squares; ++i) if (i % squares !== 0) add(i, fine);
   for (let i = -reach; i <= reach; ++i) add(i * squares, reach);
+  if (hasArrows) addArrows(points, paints);
   const geometry = new BufferGeometry();
   geometry.setAttribute("position", new BufferAttribute(new Float32Array(points), 3));
   geometry.setAttribute("color", new BufferAttribute(new Float32Array(paints), 3));
-  return new LineSegments(geometry, groundMaterial(null, fading, false));
+  return new LineSegments(geometry, planeMaterial(null, fading));
 }

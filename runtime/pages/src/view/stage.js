@@ -15,6 +15,9 @@ const judged = 12; // frames
 // ms without change after which a slow machine draws finely again.
 const settling = 250;
 
+const skyColour = new Color().setStyle(sky, LinearSRGBColorSpace);
+const borderColour = new Color().setStyle("#c3ccd8", LinearSRGBColorSpace);
+
 // Nothing where the browser has no WebGL. Asked for here, and not by three,
 // which would complain on the console.
 export function contextOf(canvas) {
@@ -35,7 +38,7 @@ export class Stage {
     this.surfaces = surfaces;
     this.renderer = new WebGLRenderer({ canvas, context });
     this.renderer.outputColorSpace = LinearSRGBColorSpace; // materials.js does it
-    this.renderer.setClearColor(new Color().setStyle(sky, LinearSRGBColorSpace));
+    this.renderer.setClearColor(skyColour);
     this.renderer.setScissorTest(true);
     this.isSlow = hasNoCard(context);
     this.isRough = false; // of the picture that is shown
@@ -43,7 +46,7 @@ export class Stage {
     this.frames = [];
     this.isLinked = true;
     // The same for all, so that sizes can be compared.
-    const distance = 3.1 * Math.max(...lives.map(radiusOf));
+    const distance = 2.8 * Math.max(...lives.map(radiusOf));
     this.scenes = lives.map((life) => new LifeScene(life));
     this.cameras = surfaces.map((surface) => new FollowingCamera(surface, distance, (camera) => this.#turned(camera)));
     new ResizeObserver(() => this.#resize()).observe(canvas.parentElement);
@@ -103,6 +106,7 @@ export class Stage {
       this.renderer.setPixelRatio(ratio);
       this.renderer.setSize(...this.size, false);
     }
+    this.#drawBorders();
     this.panes.forEach((pane, i) => {
       const camera = this.cameras[i];
       this.scenes[i].prepare(camera.offset().length(), isRough);
@@ -110,6 +114,16 @@ export class Stage {
       this.renderer.setScissor(...pane);
       this.renderer.render(this.scenes[i].scene, camera.camera);
     });
+  }
+
+  // Between panels, where no pane is.
+  #drawBorders() {
+    if (this.panes.length === 1) return;
+    this.renderer.setScissorTest(false);
+    this.renderer.setClearColor(borderColour);
+    this.renderer.clear();
+    this.renderer.setScissorTest(true);
+    this.renderer.setClearColor(skyColour);
   }
 
   // `milliseconds` since the last frame, while frames follow each other.
