@@ -8,7 +8,7 @@
 import { BoxGeometry, BufferAttribute, BufferGeometry, Group, Mesh, PlaneGeometry, Vector3 } from "three";
 import { joined, paint } from "./boxes.js";
 import { hillMaterial, planeMaterial, solidMaterial } from "./materials.js";
-import { gridLines, squareMetre } from "./squares.js";
+import { drapedLines, gridLines, squareMetre } from "./squares.js";
 import { readTrack } from "./tracks.js";
 
 // m; it fades out before its end is seen.
@@ -49,7 +49,12 @@ class Hills {
     const geometry = paint(this.#geometry(), "#f3f6fa");
     this.fine = hillMaterial(squareMetre(false), fading);
     this.rough = hillMaterial(null, fading);
-    this.object = new Mesh(geometry, this.fine);
+    this.mesh = new Mesh(geometry, this.fine);
+    const extent = { x, y, width: (columns - 1) * spacing, length: (rows - 1) * spacing };
+    this.lines = drapedLines(fading, extent, (...place) => this.heightAt(...place));
+    this.object = new Group();
+    this.object.add(this.mesh, this.lines);
+    this.setRough(false);
   }
   #geometry() {
     const { x, y, spacing, columns, rows, heights } = this;
@@ -72,7 +77,8 @@ class Hills {
     return geometry;
   }
   setRough(isRough) {
-    this.object.material = isRough ? this.rough : this.fine;
+    this.mesh.material = isRough ? this.rough : this.fine;
+    this.lines.visible = isRough;
   }
   moveTo() {}
   heightAt(x, y) {
