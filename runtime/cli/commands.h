@@ -68,6 +68,21 @@ struct DevelopCommand {
   bool allow_range = false;
 };
 
+/// What a module's colour tells.
+enum class ColourBy : std::uint8_t { kType, kRule };
+
+struct DrawCommand {
+  std::string file;        ///< a genotype file, or the store of a run
+  std::string individual;  ///< of a run: an id or "best"; else empty
+  std::vector<std::string> environments;  ///< as DevelopCommand's
+  bool brain = false;
+  ColourBy colour = ColourBy::kType;
+  std::string output;  ///< an .svg or .png; empty: the terminal
+  double scale = 2;    ///< pixels of a PNG per px of the SVG
+  bool terminal = false;
+  bool allow_range = false;
+};
+
 struct LintCommand {
   std::vector<std::string> files;
   OutputFormat format = OutputFormat::kText;
@@ -156,6 +171,16 @@ struct WhyCommand {
   bool allow_range = false;
 };
 
+enum class ReportFormat : std::uint8_t { kHtml, kJson };
+
+struct ReportCommand {
+  std::vector<std::string> paths;  ///< folders of studies, runs
+  std::string output;              ///< empty: standard output, kJson only
+  std::string measures = "paper";
+  ReportFormat format = ReportFormat::kHtml;
+  bool quiet = false;
+};
+
 enum class TestFormat : std::uint8_t { kText, kJson, kJunit };
 
 struct StudyRunCommand {
@@ -197,12 +222,12 @@ struct Answer {
 };
 
 using Command =
-    std::variant<Answer, CheckCommand, DevelopCommand, EvolveCommand,
-                 ExplainCommand, ExportCommand, FixCommand, FmtCommand,
-                 LintCommand, RandomCommand, RegulateCommand, ReplayCommand,
-                 ShowCommand, SimulateCommand, StudyListCommand,
-                 StudyRunCommand, StudyStatusCommand, TestCommand, ViewCommand,
-                 WhyCommand>;
+    std::variant<Answer, CheckCommand, DevelopCommand, DrawCommand,
+                 EvolveCommand, ExplainCommand, ExportCommand, FixCommand,
+                 FmtCommand, LintCommand, RandomCommand, RegulateCommand,
+                 ReplayCommand, ReportCommand, ShowCommand, SimulateCommand,
+                 StudyListCommand, StudyRunCommand, StudyStatusCommand,
+                 TestCommand, ViewCommand, WhyCommand>;
 
 /// `arguments` without the program's name.
 Command ParseArguments(const std::vector<std::string>& arguments);
@@ -214,9 +239,11 @@ Exit Run(const ExportCommand& command, Io& io);
 Exit Run(const FixCommand& command, Io& io);
 Exit Run(const FmtCommand& command, Io& io);
 Exit Run(const DevelopCommand& command, Io& io);
+Exit Run(const DrawCommand& command, Io& io);
 Exit Run(const LintCommand& command, Io& io);
 Exit Run(const RegulateCommand& command, Io& io);
 Exit Run(const ReplayCommand& command, Io& io);
+Exit Run(const ReportCommand& command, Io& io);
 Exit Run(const ShowCommand& command, Io& io);
 Exit Run(const SimulateCommand& command, Io& io);
 Exit Run(const StudyListCommand& command, Io& io);

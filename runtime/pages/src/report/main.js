@@ -1,5 +1,68 @@
+// The page of `plsc report`: from its data (docs/reports.md) to sections.
+import "../common/base.css";
 import "./main.css";
 import { readData } from "../common/data.js";
 import { element } from "../common/dom.js";
+import { gallerySection } from "./gallery.js";
+import { measureSection } from "./measures.js";
+import { plasticitySection } from "./plasticity.js";
+import { provenanceSection } from "./provenance.js";
+import { stylesOf } from "./series.js";
+import { testsSection } from "./tests.js";
+import { plural } from "./text.js";
 
-document.body.append(element("h1", {}, readData().title));
+function statesText(runs) {
+  const counts = new Map();
+  for (const { state } of runs) counts.set(state, (counts.get(state) ?? 0) + 1);
+  return [...counts].map(([state, count]) => `${count} ${state}`).join(", ");
+}
+
+// "flat (50 s)", "slope (tilted: 5 deg, 50 s)".
+function seasonText({ name, terrain, duration }) {
+  const ground = terrain.replace(/^\{(.*)\}$/, "$1");
+  return `${name} (${ground === name ? "" : `${ground}, `}${duration} s)`;
+}
+
+const experimentText = (one) =>
+  `${one.encoding}, population ${one.population} + ${one.offspring}, ${plural(one.generations, "generation")}, ` +
+  one.seasons.map(seasonText).join(" then ") +
+  (one.static ? "; a reference" : "");
+
+function header(data) {
+  const left = data.runs.filter(({ problem }) => problem);
+  const waiting = data.runs.filter(({ state }) => state !== "done" && state !== "damaged");
+  return element(
+    "header",
+    {},
+    element("h1", {}, data.title),
+    element("p", { class: "quiet" }, `${plural(data.runs.length, "run")} of ${plural(data.experiments.length, "experiment")}: ${statesText(data.runs)}. Made by ${data.made.by}, ${data.made.at}.`),
+    waiting.length
+      ? element("p", { class: "warning" }, `Not finished: ${waiting.map(({ label, state, generations, generations_planned: planned }) => `${label} (${state}${planned ? `, ${generations} of ${planned} generations` : ""})`).join(", ")}. What is shown will change.`)
+      : null,
+    left.map(({ label, problem }) => element("p", { class: "warning" }, `Left out: ${label}. ${problem}.`)),
+    element("dl", {}, data.experiments.map((one) => [element("dt", {}, one.name), element("dd", {}, experimentText(one))])),
+  );
+}
+
+function contents(sections) {
+  const link = (section) => element("li", {}, element("a", { href: `#${section.id}` }, section.querySelector("h2, h3").textContent));
+  return element("nav", { "aria-label": "contents" }, element("ul", {}, sections.map(link)));
+}
+
+function measuresSection(data, measures) {
+  if (!measures.length) return element("section", { id: "measures" }, element("h2", {}, "Measures"), element("p", {}, "No generation is completed yet."));
+  const note = data.single
+    ? "Lines are medians and bands quartiles of the population's robots, in each generation. Robots whose life was not completed have no behaviour and are left out."
+    : "Each run counts with the mean of its population. Lines are medians and bands quartiles of runs. Boxes are quartiles, whiskers end at the farthest run within 1.5 times the box, dots are runs, diamonds means. Robots whose life was not completed have no behaviour and are left out.";
+  return element("section", { id: "measures" }, element("h2", {}, "Measures"), element("p", { class: "note" }, note), measures);
+}
+
+function show(data) {
+  const styles = stylesOf(data.experiments);
+  const measures = data.measures.map((_, index) => measureSection(data, styles, index)).filter(Boolean);
+  const rest = [testsSection(data), plasticitySection(data, styles), gallerySection(data), provenanceSection(data)].filter(Boolean);
+  const all = measuresSection(data, measures);
+  document.body.append(element("main", {}, header(data), contents([...measures, ...rest]), all, rest));
+}
+
+show(readData());

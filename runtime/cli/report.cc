@@ -1,0 +1,131 @@
+#include "runtime/report/report.h"
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include <ctime>
+#include <map>
+#include <ostream>
+
+#include "runtime/cli/commands.h"
+#include "runtime/cli/open_run.h"
+#include "runtime/cli/version.h"
+#include "runtime/pages/page.h"
+#include "runtime/report/report_json.h"
+
+namespace plsc::cli {
+
+namespace {
+
+Exit WrongUsage(const char* what, Io& io) {
+  io.err << fmt::format("plsc: {}\nsee 'plsc report --help'\n", what);
+  return Exit::kBadUsage;
+}
+
+/// One line that is drawn again; on a terminal only, where somebody waits.
+class ReadingLine {
+ public:
+  ReadingLine(Io& io, bool is_shown)
+      : io_(io), is_shown_(is_shown && io.err_is_terminal) {}
+  void Show(std::size_t done, std::size_t total) {
+    if (!is_shown_ || total < 2) return;
+    io_.err << fmt::format("\rreading runs: {}/{}{}", done, total,
+                           done == total ? "\n" : "")
+            << std::flush;
+  }
+
+ private:
+  Io& io_;
+  bool is_shown_;
+};
+
+ReportMade MadeNow() {
+  return {
+      fmt::format("plsc {}", kVersion),
+      fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)))};
+}
+
+/// "4 runs: 3 done, 1 unfinished"
+std::string Summary(const StudyReport& report) {
+  std::map<RunState, int> states;
+  for (const ReportRun& run : report.runs) ++states[run.reading.state];
+  std::string text = fmt::format("{} run{}", report.runs.size(),
+                                 report.runs.size() == 1 ? "" : "s");
+  const char* separator = ": ";
+  for (const RunState state :
+       {RunState::kDone, RunState::kRunning, RunState::kUnfinished,
+        RunState::kMissing, RunState::kDamaged}) {
+    const auto found = states.find(state);
+    if (found == states.end()) continue;
+    text += fmt::format("{}{} {}", separator, found->second, StateName(state));
+    separator = ", ";
+  }
+  return text;
+}
+
+/// Runs by whether there is something to show of them.
+struct Told {
+  int readable = 0;
+  int damaged = 0;
+};
+
+/// Says what is wrong with runs.
+Told TellProblems(const StudyReport& report, Io& io) {
+  Told told;
+  for (const ReportRun& run : report.runs) {
+    if (run.reading.state == RunState::kDamaged) {
+      ++told.damaged;
+      io.err << fmt::format("error: {}\n", run.reading.problem);
+    } else if (run.reading.state != RunState::kMissing) {
+      ++told.readable;
+    }
+  }
+  return told;
+}
+
+Exit Write(const ReportCommand& command, const StudyReport& report, Io& io) {
+  std::string text = ReportJson(report, MadeNow());
+  if (command.format == ReportFormat::kHtml)
+    text = PageHtml(PageKind::kReport, report.title, text);
+  else
+    text += '\n';
+  if (command.output.empty()) {
+    io.out << text;
+    return Exit::kFine;
+  }
+  if (const auto failure = WriteFile(command.output, text))
+    return Complain(
+        fmt::format("cannot write '{}': {}", command.output, *failure), io);
+  if (!command.quiet)
+    io.out << fmt::format("{}: {}\n", command.output, Summary(report));
+  return Exit::kFine;
+}
+
+}  // namespace
+
+Exit Run(const ReportCommand& command, Io& io) {
+  const bool is_page = command.format == ReportFormat::kHtml;
+  if (is_page && command.output.empty())
+    return WrongUsage("where should the page go? add -o FILE", io);
+  if (is_page && !HasPages())
+    return Complain(
+        "this plsc was built without npm and has no pages; "
+        "--format json works",
+        io);
+  const auto measures = ChooseMeasures(command.measures);
+  if (!measures) return WrongUsage(measures.failure().c_str(), io);
+  const Loaded<ReportInputs> inputs = FindRuns(command.paths);
+  if (!inputs) return Complain(inputs.failure(), io);
+  ReadingLine line(io, !command.quiet);
+  const StudyReport report = BuildReport(
+      *inputs, *measures,
+      [&](std::size_t done, std::size_t total) { line.Show(done, total); });
+  const Told told = TellProblems(report, io);
+  if (told.readable == 0 && told.damaged == 0)
+    return Complain("none of these runs is begun yet", io);
+  if (told.readable == 0) return Exit::kBadInput;
+  const Exit written = Write(command, report, io);
+  return written == Exit::kFine && told.damaged > 0 ? Exit::kBadInput : written;
+}
+
+}  // namespace plsc::cli

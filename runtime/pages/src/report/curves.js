@@ -1,0 +1,54 @@
+// Curves over generations: medians as lines, quartiles as bands.
+import * as Plot from "@observablehq/plot";
+import { addLegend, axisTitle, chartFigure, legendHeight } from "./chart.js";
+import { number } from "./text.js";
+
+const width = 380;
+const height = 270;
+const left = 46;
+
+// A line is {name, style, low, median, high, counts, hasBand}.
+const pointsOf = (line) =>
+  line.median.map((median, generation) => ({ generation, median, low: line.low[generation], high: line.high[generation], runs: line.counts[generation] }));
+
+function marksOf(line) {
+  const points = pointsOf(line);
+  const { colour, dash, width: strokeWidth } = line.style;
+  const band = Plot.areaY(points, { x: "generation", y1: "low", y2: "high", fill: colour, fillOpacity: 0.16, curve: "linear" });
+  const curve = Plot.line(points, { x: "generation", y: "median", stroke: colour, strokeWidth, strokeDasharray: dash ?? undefined });
+  // A single generation is no line.
+  const dot = points.length === 1 ? [Plot.dot(points, { x: "generation", y: "median", fill: colour, r: 3 })] : [];
+  return [line.hasBand ? [band] : [], curve, dot].flat();
+}
+
+// `chart`: {title, yLabel, domain, lines, caption, name, isShare}.
+export function curvesFigure(chart) {
+  const entries = chart.lines.map((line) => ({ text: line.name, ...line.style }));
+  const top = legendHeight(entries, width) + 22;
+  const tips = chart.lines.flatMap((line) =>
+    pointsOf(line)
+      .filter(({ median }) => median !== null)
+      .map((point) => ({ ...point, text: `${line.name}\ngeneration ${point.generation}: ${number(point.median)}\nquartiles ${number(point.low)} to ${number(point.high)}\n${chart.isSingle ? "of the population" : `runs: ${point.runs}`}` })),
+  );
+  const svg = Plot.plot({
+    width,
+    height: height + top,
+    marginTop: top,
+    marginLeft: left,
+    marginBottom: 36,
+    marginRight: 14,
+    x: { label: "generation", labelAnchor: "center", labelArrow: "none", tickFormat: "d", ticks: 5, domain: chart.generations },
+    y: { label: null, domain: chart.domain, nice: true, ticks: 6, grid: true, percent: chart.isShare },
+    style: { fontSize: "11px", fontFamily: "system-ui, 'DejaVu Sans', sans-serif", color: "#1b1b1b" },
+    marks: [
+      axisTitle(chart.yLabel, left),
+      chart.lines.map(marksOf),
+      Plot.tip(tips, Plot.pointer({ x: "generation", y: "median", title: "text", fontSize: 11 })),
+    ],
+  });
+  addLegend(svg, entries, width);
+  const rows = chart.lines.flatMap((line) =>
+    pointsOf(line).map(({ generation, runs, low, median, high }) => ({ ...chart.columns, experiment: line.name, generation, runs, quartile_1: low, median, quartile_3: high })),
+  );
+  return chartFigure({ svg, title: chart.title, name: chart.name, rows, caption: chart.caption, kind: "curves" });
+}

@@ -1,0 +1,172 @@
+#include "runtime/report/comparison.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace plsc {
+
+namespace {
+
+/// A measure in a season of an experiment.
+struct Cell {
+  std::size_t measure = 0;
+  std::size_t season = 0;  ///< as Report has it
+  std::size_t experiment = 0;
+  std::size_t own_season = 0;  ///< as the experiment's runs have it
+};
+
+std::vector<Cell> CellsOf(const StudyReport& report) {
+  std::vector<Cell> cells;
+  for (std::size_t measure = 0; measure < report.measures.size(); ++measure)
+    for (std::size_t season = 0; season < report.seasons.size(); ++season)
+      for (std::size_t i = 0; i < report.experiments.size(); ++i) {
+        const std::vector<std::size_t>& own = report.experiments[i].seasons;
+        const auto found = std::find(own.begin(), own.end(), season);
+        if (found != own.end())
+          cells.push_back({measure, season, i,
+                           static_cast<std::size_t>(found - own.begin())});
+      }
+  return cells;
+}
+
+/// Nothing if the run was not read, or its store lacks the season.
+const Series* SeriesOf(const StudyReport& report, std::size_t run,
+                       const Cell& cell) {
+  const PopulationSummary& population = report.runs[run].reading.population;
+  return cell.own_season < population.seasons.size()
+             ? &population.of(cell.measure, cell.own_season)
+             : nullptr;
+}
+
+/// Of the generations of an experiment: what `values_at` finds, summarised.
+template <typename ValuesAt>
+void Summarise(const ValuesAt& values_at, std::vector<int>& counts,
+               std::vector<Quartiles>& quartiles) {
+  for (std::size_t generation = 0;; ++generation) {
+    std::vector<double> values = values_at(generation);
+    if (values.empty()) return;
+    values.erase(std::remove_if(values.begin(), values.end(),
+                                [](double value) { return std::isnan(value); }),
+                 values.end());
+    counts.push_back(static_cast<int>(values.size()));
+    quartiles.push_back(QuartilesOf(std::move(values)));
+  }
+}
+
+Curve CurveOf(const StudyReport& report, const Cell& cell) {
+  Curve curve{cell.measure, cell.season, cell.experiment, {}, {}};
+  const std::vector<std::size_t>& runs =
+      report.experiments[cell.experiment].runs;
+  if (report.is_single) {
+    if (const Series* series = SeriesOf(report, runs.front(), cell))
+      curve.quartiles = series->spreads;
+    curve.counts.assign(curve.quartiles.size(), 1);
+    return curve;
+  }
+  Summarise(
+      [&](std::size_t generation) {
+        std::vector<double> values;
+        for (const std::size_t run : runs)
+          if (const Series* series = SeriesOf(report, run, cell))
+            if (generation < series->means.size())
+              values.push_back(series->means[generation]);
+        return values;
+      },
+      curve.counts, curve.quartiles);
+  return curve;
+}
+
+}  // namespace
+
+std::vector<Curve> CurvesOf(const StudyReport& report) {
+  std::vector<Curve> curves;
+  for (const Cell& cell : CellsOf(report)) {
+    Curve curve = CurveOf(report, cell);
+    if (std::any_of(
+            curve.quartiles.begin(), curve.quartiles.end(),
+            [](const Quartiles& one) { return !std::isnan(one.median); }))
+      curves.push_back(std::move(curve));
+  }
+  return curves;
+}
+
+std::vector<Finals> FinalsOf(const StudyReport& report) {
+  std::vector<Finals> all;
+  if (report.generation < 0) return all;
+  const auto generation = static_cast<std::size_t>(report.generation);
+  for (const Cell& cell : CellsOf(report)) {
+    Finals finals{cell.measure, cell.season, cell.experiment, {}, {}};
+    std::vector<double> values;
+    for (const std::size_t run : report.experiments[cell.experiment].runs) {
+      const Series* series = SeriesOf(report, run, cell);
+      if (series == nullptr || generation >= series->means.size()) continue;
+      const double value = series->means[generation];
+      if (std::isnan(value)) continue;
+      finals.values.push_back({run, value});
+      values.push_back(value);
+    }
+    if (values.empty()) continue;
+    finals.box = BoxPlotOf(std::move(values));
+    all.push_back(std::move(finals));
+  }
+  return all;
+}
+
+std::vector<Test> TestsOf(const StudyReport& report,
+                          const std::vector<Finals>& finals) {
+  const auto values_of = [](const Finals& one) {
+    std::vector<double> values;
+    for (const RunValue& value : one.values) values.push_back(value.value);
+    return values;
+  };
+  const auto takes_part = [&](const Finals& one) {
+    return !report.experiments[one.experiment].is_static &&
+           one.values.size() >= 2;
+  };
+  std::vector<Test> tests;
+  for (std::size_t i = 0; i < finals.size(); ++i)
+    for (std::size_t j = i + 1; j < finals.size(); ++j) {
+      const Finals& a = finals[i];
+      const Finals& b = finals[j];
+      if (a.measure != b.measure || a.season != b.season) break;
+      if (!takes_part(a) || !takes_part(b)) continue;
+      tests.push_back({a.measure, a.season, a.experiment, b.experiment,
+                       a.values.size(), b.values.size(),
+                       RankSumTest(values_of(a), values_of(b))});
+    }
+  return tests;
+}
+
+std::vector<PlasticCurve> PlasticCurvesOf(const StudyReport& report) {
+  std::vector<PlasticCurve> curves;
+  for (std::size_t i = 0; i < report.experiments.size(); ++i) {
+    PlasticCurve curve{i, {}, {}, {}};
+    const auto shares = [&](double PlasticShares::*part) {
+      return [&, part](std::size_t generation) {
+        std::vector<double> values;
+        for (const std::size_t run : report.experiments[i].runs) {
+          const auto& plastic = report.runs[run].reading.population.plastic;
+          if (generation < plastic.size())
+            values.push_back(plastic[generation].*part);
+        }
+        return values;
+      };
+    };
+    Summarise(shares(&PlasticShares::body), curve.counts, curve.body);
+    curve.counts.clear();
+    Summarise(shares(&PlasticShares::brain), curve.counts, curve.brain);
+    if (!curve.counts.empty()) curves.push_back(std::move(curve));
+  }
+  return curves;
+}
+
+std::vector<RuleCount> RulesOf(const StudyReport& report,
+                               std::size_t experiment) {
+  std::vector<RuleCount> all;
+  for (const std::size_t run : report.experiments[experiment].runs)
+    AddRules(report.runs[run].reading.rules, all);
+  return all;
+}
+
+}  // namespace plsc

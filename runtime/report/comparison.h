@@ -1,0 +1,71 @@
+#pragma once
+
+// The numbers of a report's figures: curves over generations, the runs' means
+// of one generation, tests between experiments. Each is of one measure in one
+// season; pure functions of the report.
+
+#include <optional>
+#include <vector>
+
+#include "runtime/report/report.h"
+#include "runtime/report/wilcoxon.h"
+
+namespace plsc {
+
+/// By generation. Of several runs: quartiles of the population means of those
+/// that have completed it. Of a single run: quartiles of its population.
+struct Curve {
+  std::size_t measure = 0;
+  std::size_t season = 0;  ///< index into StudyReport::seasons
+  std::size_t experiment = 0;
+  std::vector<int> counts;  ///< runs
+  std::vector<Quartiles> quartiles;
+};
+/// In the order of measures, seasons, experiments; only where an experiment
+/// has the season and a run of it a value.
+std::vector<Curve> CurvesOf(const StudyReport& report);
+
+struct RunValue {
+  std::size_t run = 0;  ///< index into StudyReport::runs
+  double value = 0;
+};
+/// Population means of the runs that have completed the generation that is
+/// compared, in the shown unit.
+struct Finals {
+  std::size_t measure = 0;
+  std::size_t season = 0;
+  std::size_t experiment = 0;
+  std::vector<RunValue> values;  ///< at least one
+  BoxPlot box;
+};
+/// In the order of CurvesOf.
+std::vector<Finals> FinalsOf(const StudyReport& report);
+
+/// Between two experiments that are not static, two runs or more of each.
+struct Test {
+  std::size_t measure = 0;
+  std::size_t season = 0;
+  std::size_t first = 0;  ///< indices into StudyReport::experiments
+  std::size_t second = 0;
+  std::size_t first_runs = 0;
+  std::size_t second_runs = 0;
+  std::optional<RankSum> result;  ///< nothing if all values are equal
+};
+std::vector<Test> TestsOf(const StudyReport& report,
+                          const std::vector<Finals>& finals);
+
+/// How plastic an experiment's populations are, by generation: quartiles over
+/// runs of the shares of robots.
+struct PlasticCurve {
+  std::size_t experiment = 0;
+  std::vector<int> counts;
+  std::vector<Quartiles> body;
+  std::vector<Quartiles> brain;
+};
+std::vector<PlasticCurve> PlasticCurvesOf(const StudyReport& report);
+
+/// The rules of the last populations of an experiment's runs.
+std::vector<RuleCount> RulesOf(const StudyReport& report,
+                               std::size_t experiment);
+
+}  // namespace plsc

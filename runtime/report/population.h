@@ -1,0 +1,48 @@
+#pragma once
+
+// What became of a run's population, generation by generation: means of
+// measures over its robots, and how many of them are plastic. Robots are read
+// once each, however many generations they live, and none is kept.
+
+#include <string>
+#include <vector>
+
+#include "runtime/report/quantiles.h"
+#include "runtime/report/report_measures.h"
+#include "runtime/store/database.h"
+
+namespace plsc {
+
+/// One measure in one season, by generation. No number where no robot has a
+/// value: means leave out robots that did not develop and, of behaviour, lives
+/// that were not completed.
+struct Series {
+  std::vector<double> means;       ///< in the shown unit
+  std::vector<Quartiles> spreads;  ///< over robots; empty unless asked for
+};
+
+/// Of the robots of one generation, from 0 to 1.
+struct PlasticShares {
+  double body = 0;   ///< have different bodies in two seasons
+  double brain = 0;  ///< have different brains in two seasons
+};
+
+struct PopulationSummary {
+  std::vector<std::string> seasons;    ///< names, in the scenario's order
+  int generations = 0;                 ///< completed
+  std::vector<Series> series;          ///< a measure's seasons side by side
+  std::vector<PlasticShares> plastic;  ///< by generation; empty for one season
+  std::vector<int> survivors;          ///< of the last one: ids, by rank
+
+  const Series& of(std::size_t measure, std::size_t season) const {
+    return series[measure * seasons.size() + season];
+  }
+};
+
+/// What cannot be read is a failure of the database; the summary is worth
+/// nothing then. `with_spread`: quartiles over robots, too.
+PopulationSummary SummarisePopulation(
+    Database& database, const std::vector<ReportMeasure>& measures,
+    bool with_spread);
+
+}  // namespace plsc

@@ -1,0 +1,149 @@
+#include "runtime/report/report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <optional>
+#include <utility>
+
+namespace plsc {
+
+namespace {
+
+/// "tiny plastic/3" to "tiny plastic": runs of studies are named so.
+std::string WithoutRepetition(const std::string& name) {
+  const std::size_t slash = name.rfind('/');
+  if (slash == std::string::npos || slash + 1 == name.size()) return name;
+  const bool is_number =
+      std::all_of(name.begin() + static_cast<std::ptrdiff_t>(slash) + 1,
+                  name.end(), [](unsigned char c) { return std::isdigit(c); });
+  return is_number ? name.substr(0, slash) : name;
+}
+
+/// What runs of one experiment have in common.
+std::string KeysOf(const Experiment& experiment) {
+  return PrintExperimentKeys(experiment, 0);
+}
+
+/// What is known of the run; nothing of a file that cannot be read.
+std::optional<Experiment> ExperimentOfRun(const ReportRun& run) {
+  if (run.input.expected) return run.input.expected;
+  if (run.reading.state == RunState::kDamaged ||
+      run.reading.state == RunState::kMissing)
+    return std::nullopt;
+  return run.reading.experiment;
+}
+
+std::string UniqueName(const std::vector<ReportExperiment>& experiments,
+                       const std::string& wanted) {
+  std::string name = wanted;
+  for (int number = 2; std::any_of(
+           experiments.begin(), experiments.end(),
+           [&](const ReportExperiment& one) { return one.name == name; });
+       ++number)
+    name = fmt::format("{} ({})", wanted, number);
+  return name;
+}
+
+std::string NameFor(const ReportRun& run, const Experiment& experiment) {
+  if (!run.input.experiment.empty()) return run.input.experiment;
+  std::string name = WithoutRepetition(experiment.name);
+  return name.empty() ? run.input.label : name;
+}
+
+std::vector<ReportExperiment> GroupRuns(const std::vector<ReportRun>& runs) {
+  std::vector<ReportExperiment> groups;
+  std::vector<std::pair<std::string, std::string>> keys;  // name, keys
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    const std::optional<Experiment> experiment = ExperimentOfRun(runs[i]);
+    if (!experiment) continue;
+    const std::string& named = runs[i].input.experiment;
+    const std::string key = KeysOf(*experiment);
+    std::size_t group = 0;
+    while (group < groups.size() &&
+           !(keys[group].second == key &&
+             (named.empty() || keys[group].first == named)))
+      ++group;
+    if (group == groups.size()) {
+      keys.emplace_back(named, key);
+      groups.push_back({UniqueName(groups, NameFor(runs[i], *experiment)),
+                        *experiment,
+                        {},
+                        false,
+                        {}});
+    }
+    groups[group].runs.push_back(i);
+  }
+  return groups;
+}
+
+std::size_t IndexOf(const std::string& season,
+                    std::vector<std::string>& seasons) {
+  const auto found = std::find(seasons.begin(), seasons.end(), season);
+  const auto index = static_cast<std::size_t>(found - seasons.begin());
+  if (found == seasons.end()) seasons.push_back(season);
+  return index;
+}
+
+/// The season of an experiment that is compared whose ground a static one has.
+std::string SeasonLike(const Season& season, const StudyReport& report) {
+  for (const ReportExperiment& other : report.experiments)
+    if (!other.is_static)
+      for (const Season& candidate : other.experiment.scenario.seasons)
+        if (candidate.terrain == season.terrain) return candidate.name;
+  return season.name;
+}
+
+void PlaceSeasons(StudyReport& report) {
+  const auto is_short = [](const ReportExperiment& one) {
+    return one.experiment.scenario.seasons.size() == 1;
+  };
+  const bool has_long = !std::all_of(report.experiments.begin(),
+                                     report.experiments.end(), is_short);
+  for (ReportExperiment& one : report.experiments)
+    one.is_static = has_long && is_short(one);
+  for (const bool is_static : {false, true})
+    for (ReportExperiment& one : report.experiments) {
+      if (one.is_static != is_static) continue;
+      for (const Season& season : one.experiment.scenario.seasons)
+        one.seasons.push_back(
+            IndexOf(is_static ? SeasonLike(season, report) : season.name,
+                    report.seasons));
+    }
+}
+
+int ComparedGeneration(const StudyReport& report) {
+  int compared = -1;
+  for (const ReportExperiment& one : report.experiments) {
+    int most = 0;
+    for (const std::size_t run : one.runs)
+      most = std::max(most, report.runs[run].reading.population.generations);
+    if (most > 0)
+      compared = compared < 0 ? most - 1 : std::min(compared, most - 1);
+  }
+  return compared;
+}
+
+}  // namespace
+
+StudyReport BuildReport(const ReportInputs& inputs,
+                        const std::vector<ReportMeasure>& measures,
+                        const ReportProgress& on_run) {
+  StudyReport report;
+  report.title = inputs.title;
+  report.measures = measures;
+  report.is_single = inputs.runs.size() == 1;
+  const ReadOptions options{measures, report.is_single};
+  for (const ReportInput& input : inputs.runs) {
+    report.runs.push_back(
+        {input, ReadRun(input.path, options, input.expected)});
+    if (on_run) on_run(report.runs.size(), inputs.runs.size());
+  }
+  report.experiments = GroupRuns(report.runs);
+  PlaceSeasons(report);
+  report.generation = ComparedGeneration(report);
+  return report;
+}
+
+}  // namespace plsc

@@ -1,0 +1,52 @@
+#pragma once
+
+// A report before it is written: every run that was read, which experiments
+// they repeat, and which of these are compared in which seasons. All numbers
+// follow from it (comparison.h).
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "runtime/report/inputs.h"
+#include "runtime/report/read_run.h"
+
+namespace plsc {
+
+struct ReportRun {
+  ReportInput input;
+  RunReading reading;
+};
+
+struct ReportExperiment {
+  std::string name;               ///< of no other one in the report
+  Experiment experiment;          ///< of its first run
+  std::vector<std::size_t> runs;  ///< indices into StudyReport::runs
+  /// One season only, while others have more: the paper's red lines, what is
+  /// reached where the environment never changes.
+  bool is_static = false;
+  /// By season of its own: the index into StudyReport::seasons that it is shown
+  /// in. That of a static experiment is the one of the same terrain.
+  std::vector<std::size_t> seasons;
+};
+
+struct StudyReport {
+  std::string title;
+  std::vector<ReportMeasure> measures;
+  std::vector<ReportRun> runs;  ///< in the order in which they were named
+  std::vector<ReportExperiment> experiments;
+  std::vector<std::string> seasons;  ///< that charts are made for
+  /// That experiments are compared at: the last one that a run of every
+  /// experiment which has begun has completed; -1 if there is none.
+  int generation = -1;
+  bool is_single = false;  ///< one run: curves are of its population
+};
+
+/// Told after each run, with how many of how many are read.
+using ReportProgress = std::function<void(std::size_t done, std::size_t total)>;
+
+StudyReport BuildReport(const ReportInputs& inputs,
+                        const std::vector<ReportMeasure>& measures,
+                        const ReportProgress& on_run);
+
+}  // namespace plsc

@@ -1,0 +1,296 @@
+#include "runtime/report/report_json.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "runtime/report/comparison.h"
+#include "runtime/scenario_terrain.h"
+
+namespace plsc {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int kFormat = 1;
+// Clauses of states with numbers are all different; what is rare tells little.
+constexpr std::size_t kMostClauses = 40;
+
+/// With six digits; null for what is no number.
+Json Number(double value) {
+  if (!std::isfinite(value)) return nullptr;
+  return std::strtod(fmt::format("{:.6g}", value).c_str(), nullptr);
+}
+
+Json Number(const std::optional<double>& value) {
+  return value ? Number(*value) : Json(nullptr);
+}
+
+Json TextOrNull(const std::string& text) {
+  return text.empty() ? Json(nullptr) : Json(text);
+}
+
+Json MeasuresJson(const StudyReport& report) {
+  Json json = Json::array();
+  for (const ReportMeasure& measure : report.measures)
+    json.push_back({{"id", measure.id},
+                    {"title", measure.title},
+                    {"unit", TextOrNull(measure.unit)}});
+  return json;
+}
+
+Json ExperimentJson(const StudyReport& report, const ReportExperiment& one) {
+  Json json;
+  json["name"] = one.name;
+  json["encoding"] = one.experiment.genotype.encoding == Encoding::kPlasticoding
+                         ? "plasticoding"
+                         : "baseline";
+  json["static"] = one.is_static;
+  json["population"] = one.experiment.population;
+  json["offspring"] = one.experiment.offspring;
+  json["generations"] = one.experiment.generations;
+  json["seasons"] = Json::array();
+  for (std::size_t i = 0; i < one.seasons.size(); ++i) {
+    const Season& season = one.experiment.scenario.seasons[i];
+    json["seasons"].push_back({{"name", season.name},
+                               {"shown_in", report.seasons[one.seasons[i]]},
+                               {"terrain", PrintTerrain(season.terrain)},
+                               {"duration", season.duration}});
+  }
+  return json;
+}
+
+Json QuartilesJson(const std::vector<Quartiles>& quartiles,
+                   double Quartiles::*which) {
+  Json json = Json::array();
+  for (const Quartiles& one : quartiles) json.push_back(Number(one.*which));
+  return json;
+}
+
+void AddQuartiles(const std::vector<Quartiles>& quartiles, Json& json) {
+  json["low"] = QuartilesJson(quartiles, &Quartiles::low);
+  json["median"] = QuartilesJson(quartiles, &Quartiles::median);
+  json["high"] = QuartilesJson(quartiles, &Quartiles::high);
+}
+
+Json CurveJson(const Curve& curve) {
+  Json json{{"measure", curve.measure},
+            {"season", curve.season},
+            {"experiment", curve.experiment},
+            {"runs", curve.counts}};
+  AddQuartiles(curve.quartiles, json);
+  return json;
+}
+
+Json FinalsJson(const Finals& finals) {
+  const BoxPlot& box = finals.box;
+  Json json{{"measure", finals.measure},
+            {"season", finals.season},
+            {"experiment", finals.experiment},
+            {"low_whisker", Number(box.low_whisker)},
+            {"low", Number(box.quartiles.low)},
+            {"median", Number(box.quartiles.median)},
+            {"high", Number(box.quartiles.high)},
+            {"high_whisker", Number(box.high_whisker)},
+            {"mean", Number(box.mean)},
+            {"outliers", Json::array()},
+            {"values", Json::array()}};
+  for (const double outlier : box.outliers)
+    json["outliers"].push_back(Number(outlier));
+  for (const RunValue& value : finals.values)
+    json["values"].push_back(
+        {{"run", value.run}, {"value", Number(value.value)}});
+  return json;
+}
+
+Json TestJson(const Test& test) {
+  Json json{{"measure", test.measure},       {"season", test.season},
+            {"first", test.first},           {"second", test.second},
+            {"first_runs", test.first_runs}, {"second_runs", test.second_runs}};
+  json["w"] = test.result ? Json(test.result->w) : Json(nullptr);
+  json["p"] = test.result ? Number(test.result->p) : Json(nullptr);
+  json["exact"] = test.result ? Json(test.result->is_exact) : Json(nullptr);
+  json["stars"] = test.result ? Stars(test.result->p) : "";
+  return json;
+}
+
+Json PlasticJson(const PlasticCurve& curve) {
+  Json json{{"experiment", curve.experiment}, {"runs", curve.counts}};
+  AddQuartiles(curve.body, json["body"]);
+  AddQuartiles(curve.brain, json["brain"]);
+  return json;
+}
+
+/// Counts by the seasons in which rules are held, for each `name` of a rule.
+Json CountsBy(const std::vector<RuleCount>& rules, std::string RuleUse::*name) {
+  std::map<std::string, std::map<std::vector<bool>, int>> counts;
+  std::map<std::string, int> totals;
+  for (const RuleCount& one : rules) {
+    counts[one.rule.*name][one.rule.is_held] += one.count;
+    totals[one.rule.*name] += one.count;
+  }
+  std::vector<std::pair<int, std::string>> order;
+  for (const auto& [text, total] : totals) order.emplace_back(-total, text);
+  std::sort(order.begin(), order.end());
+  if (order.size() > kMostClauses) order.resize(kMostClauses);
+  Json json = Json::array();
+  for (const auto& [total, text] : order) {
+    Json held = Json::array();
+    for (const auto& [seasons, count] : counts[text])
+      held.push_back({{"seasons", seasons}, {"rules", count}});
+    json.push_back({{"name", text}, {"rules", -total}, {"held", held}});
+  }
+  return json;
+}
+
+Json RegulationJson(const StudyReport& report) {
+  Json json = Json::array();
+  for (std::size_t i = 0; i < report.experiments.size(); ++i) {
+    const std::vector<RuleCount> rules = RulesOf(report, i);
+    if (rules.empty()) continue;
+    json.push_back({{"experiment", i},
+                    {"symbols", CountsBy(rules, &RuleUse::symbol)},
+                    {"clauses", CountsBy(rules, &RuleUse::clause)}});
+  }
+  return json;
+}
+
+Json PortraitJson(const Portrait& portrait) {
+  constexpr double kCentimetres = 100;
+  Json json{{"id", portrait.id},
+            {"name", portrait.name},
+            {"born", portrait.born},
+            {"seasons", Json::array()},
+            {"rules", Json::array()}};
+  for (const SeasonPortrait& season : portrait.seasons)
+    json["seasons"].push_back(
+        {{"season", season.season},
+         {"outcome", OutcomeName(season.outcome)},
+         {"speed",
+          season.speed ? Number(kCentimetres * *season.speed) : Json(nullptr)},
+         {"balance", Number(season.balance)},
+         {"size", season.size},
+         {"change", ChangeName(season.change)},
+         {"sensed", season.sensed},
+         {"svg", TextOrNull(season.svg)}});
+  for (const RuleUse& rule : portrait.rules)
+    json["rules"].push_back({{"symbol", rule.symbol},
+                             {"clause", TextOrNull(rule.clause)},
+                             {"held", rule.is_held}});
+  return json;
+}
+
+Json WorkJson(const WorkDone& work) {
+  return {{"sessions", work.sessions},
+          {"open_sessions", work.open_sessions},
+          {"first", TextOrNull(work.first)},
+          {"last", TextOrNull(work.last)},
+          {"hosts", work.hosts},
+          {"seconds", Number(work.seconds)},
+          {"cpu_seconds", Number(work.cpu_seconds)},
+          {"simulated", work.simulated},
+          {"looked_up", work.looked_up}};
+}
+
+Json RunJson(const ReportRun& run, const Json& experiment) {
+  const RunReading& reading = run.reading;
+  Json json{{"label", run.input.label},
+            {"path", run.input.path},
+            {"experiment", experiment},
+            {"state", StateName(reading.state)},
+            {"problem", TextOrNull(reading.problem)},
+            {"worker", TextOrNull(reading.worker)}};
+  if (reading.state == RunState::kMissing ||
+      reading.state == RunState::kDamaged)
+    return json;
+  const RunFacts& facts = reading.facts;
+  json["name"] = facts.name;
+  json["seed"] = facts.seed;
+  json["generations"] = reading.population.generations;
+  json["generations_planned"] = facts.planned_generations;
+  json["evaluations"] = facts.evaluations;
+  json["evaluations_planned"] = facts.planned_evaluations;
+  json["plsc"] = facts.versions.plsc;
+  json["ode"] = facts.versions.ode;
+  json["compiler"] = facts.versions.compiler;
+  json["machine"] = facts.versions.machine;
+  json["work"] = WorkJson(facts.work);
+  json["best"] = reading.best ? PortraitJson(*reading.best) : Json(nullptr);
+  return json;
+}
+
+Json RunsJson(const StudyReport& report) {
+  std::vector<Json> experiments(report.runs.size());
+  for (std::size_t i = 0; i < report.experiments.size(); ++i)
+    for (const std::size_t run : report.experiments[i].runs)
+      experiments[run] = i;
+  Json json = Json::array();
+  for (std::size_t run = 0; run < report.runs.size(); ++run)
+    json.push_back(RunJson(report.runs[run], experiments[run]));
+  return json;
+}
+
+/// Of the first run that has them, and whether all others have the same.
+Json ConstantsJson(const StudyReport& report) {
+  Json json = Json::array();
+  for (std::size_t i = 0; i < report.experiments.size(); ++i) {
+    const std::vector<StoredConstant>* first = nullptr;
+    bool is_same = true;
+    for (const std::size_t run : report.experiments[i].runs) {
+      const auto& constants = report.runs[run].reading.facts.constants;
+      if (constants.empty()) continue;
+      if (first == nullptr) first = &constants;
+      is_same = is_same && constants == *first;
+    }
+    if (first == nullptr) continue;
+    Json list = Json::array();
+    for (const StoredConstant& constant : *first)
+      list.push_back({{"season", constant.season},
+                      {"name", constant.name},
+                      {"value", constant.value},
+                      {"unit", TextOrNull(constant.unit)}});
+    json.push_back({{"experiment", i}, {"same", is_same}, {"values", list}});
+  }
+  return json;
+}
+
+template <typename Items, typename Write>
+Json ListJson(const Items& items, const Write& write) {
+  Json json = Json::array();
+  for (const auto& item : items) json.push_back(write(item));
+  return json;
+}
+
+}  // namespace
+
+std::string ReportJson(const StudyReport& report, const ReportMade& made) {
+  const std::vector<Finals> finals = FinalsOf(report);
+  Json json;
+  json["plsc_report"] = kFormat;
+  json["title"] = report.title;
+  json["made"] = {{"by", made.by}, {"at", made.at}};
+  json["single"] = report.is_single;
+  json["generation"] =
+      report.generation < 0 ? Json(nullptr) : Json(report.generation);
+  json["seasons"] = report.seasons;
+  json["measures"] = MeasuresJson(report);
+  json["experiments"] = ListJson(
+      report.experiments,
+      [&](const ReportExperiment& one) { return ExperimentJson(report, one); });
+  json["curves"] = ListJson(CurvesOf(report), CurveJson);
+  json["finals"] = ListJson(finals, FinalsJson);
+  json["tests"] = ListJson(TestsOf(report, finals), TestJson);
+  json["plasticity"] = ListJson(PlasticCurvesOf(report), PlasticJson);
+  json["regulation"] = RegulationJson(report);
+  json["runs"] = RunsJson(report);
+  json["constants"] = ConstantsJson(report);
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+}  // namespace plsc

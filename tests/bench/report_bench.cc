@@ -1,0 +1,206 @@
+// What `plsc report` of the paper's whole study takes: 80 runs of 20,000 robots
+// each, 1.6 million. Reports; asserts nothing.
+//
+//   report_bench [--smoke] [--folder FOLDER] [--distinct N]
+//
+// Robots really develop, breed and are stored; only their lives are stubbed.
+// Of the 20 runs of each experiment N (default 2) are evolved and the others
+// copied from these under their own names and seeds, because to make all of
+// them would take half an hour: for the reader, a file is a file. A folder that
+// is named and has the study already is used as it is and kept.
+
+#include <fmt/format.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <iostream>
+#include <sstream>
+#include <string>
+
+#include "runtime/cli/commands.h"
+#include "runtime/evolve/evolve.h"
+#include "runtime/formats/phenotype_json.h"
+#include "runtime/store/database.h"
+#include "runtime/store/run_store.h"
+#include "runtime/study/study_folder.h"
+
+namespace plsc {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// As if simulated: numbers that differ between phenotypes.
+Simulated Stub(const Phenotype& robot, const Season& season) {
+  Simulated stub;
+  const Key key = KeyOf(BodyJson(robot.body) + BrainJson(robot) + season.name);
+  stub.behaviour.is_valid = true;
+  stub.behaviour.displacement_velocity_hill =
+      std::ldexp(static_cast<double>(key.low >> 11), -58);
+  stub.behaviour.velocity = stub.behaviour.displacement_velocity_hill;
+  stub.behaviour.displacement_velocity = stub.behaviour.velocity;
+  stub.behaviour.head_balance = std::ldexp(static_cast<double>(key.high), -64);
+  stub.state_hash = key.low;
+  stub.steps = 10000;
+  return stub;
+}
+
+/// The paper's study (examples/paper_study.yaml), or a thousandth of it.
+Study MakeStudy(bool is_smoke) {
+  Study study;
+  study.name = "paper";
+  study.seed = 2020;
+  study.repetitions = is_smoke ? 3 : 20;
+  Experiment plastic;
+  if (is_smoke) {
+    plastic.population = 6;
+    plastic.offspring = 6;
+    plastic.generations = 4;
+  }
+  Experiment baseline = plastic;
+  baseline.genotype.encoding = Encoding::kBaseline;
+  Experiment flat = baseline;
+  flat.scenario.seasons.resize(1);
+  Experiment tilted = baseline;
+  tilted.scenario.seasons.erase(tilted.scenario.seasons.begin());
+  study.experiments = {{"plastic", plastic},
+                       {"baseline", baseline},
+                       {"flat", flat},
+                       {"tilted", tilted}};
+  return study;
+}
+
+void Require(const std::optional<std::string>& failure) {
+  if (!failure) return;
+  fmt::print("error: {}\n", *failure);
+  std::exit(1);
+}
+
+void EvolveInto(const std::string& path, const Experiment& experiment) {
+  RunStore store;
+  Require(store.Create(path, experiment));
+  Require(store.BeginSession({"2026-01-01T00:00:00Z", 2}));
+  EvolveOptions options;
+  options.simulate = Stub;
+  options.caches = {&store};
+  options.observers = {&store};
+  const RunResult result = Evolve(experiment, options);
+  SessionEnd end;
+  end.ended = "2026-01-01T01:00:00Z";
+  end.how = "finished";
+  end.seconds = 3600;
+  end.cpu_seconds = 7200;
+  end.evaluations = result.evaluations;
+  end.simulated = result.counts_of_work.simulations;
+  end.looked_up = result.counts_of_work.looked_up;
+  Require(store.EndSession(end));
+  Require(store.Close());
+}
+
+/// The same results under another run's name and seed.
+void CopyAs(const std::string& from, const std::string& to,
+            const Experiment& experiment) {
+  fs::copy_file(from, to);
+  Database database;
+  Require(database.Open(to, Database::Mode::kWrite));
+  Statement(database, "UPDATE run SET name = ?, seed = ?, experiment = ?")
+      .With(experiment.name, std::to_string(experiment.seed),
+            PrintExperiment(experiment))
+      .Run();
+  Require(database.TakeFailure());
+}
+
+void MakeRuns(const std::string& folder, const Study& study, int distinct) {
+  Require(PrepareFolder(folder, study));
+  for (const StudyRun& run : RunsOf(study)) {
+    const std::string path = RunPath(folder, study, run);
+    if (fs::exists(path)) continue;
+    const Experiment experiment = ExperimentOf(study, run);
+    if (run.repetition <= distinct) {
+      EvolveInto(path, experiment);
+      fmt::print("{}: {:.1f} MB\n", RunName(study, run),
+                 1e-6 * static_cast<double>(fs::file_size(path)));
+    } else {
+      const StudyRun source{run.experiment, 1 + run.repetition % distinct};
+      CopyAs(RunPath(folder, study, source), path, experiment);
+    }
+  }
+}
+
+/// The command in a process of its own, so that its memory can be told.
+void ReportOn(const std::string& folder, const std::string& page,
+              const std::string& measures) {
+  const auto begin = std::chrono::steady_clock::now();
+  std::fflush(stdout);  // or the child would print it, too
+  const pid_t child = fork();
+  if (child == 0) {
+    std::istringstream in;
+    std::ostringstream out;
+    cli::Io io{in, out, std::cerr};
+    const cli::Exit exit = cli::Main(
+        {"report", folder, "-o", page, "--quiet", "--measures", measures}, io);
+    _exit(static_cast<int>(exit));
+  }
+  int status = 0;
+  rusage usage{};
+  wait4(child, &status, 0, &usage);
+  const double seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin)
+          .count();
+  const auto cpu = [](const timeval& t) {
+    return static_cast<double>(t.tv_sec) +
+           1e-6 * static_cast<double>(t.tv_usec);
+  };
+  const double size =
+      fs::exists(page) ? 1e-6 * static_cast<double>(fs::file_size(page)) : 0;
+  fmt::print(
+      "measures {}: {:.1f} s by the wall, {:.1f} s CPU, {:.0f} MiB at most, "
+      "page {:.2f} MB, exit status {}\n",
+      measures, seconds, cpu(usage.ru_utime) + cpu(usage.ru_stime),
+      static_cast<double>(usage.ru_maxrss) / 1024, size, WEXITSTATUS(status));
+}
+
+struct Options {
+  bool is_smoke = false;
+  std::string folder;
+  int distinct = 2;
+};
+
+Options ParseOptions(int argc, char** argv) {
+  Options options;
+  for (int i = 1; i < argc; ++i) {
+    const std::string word = argv[i];
+    if (word == "--smoke") options.is_smoke = true;
+    if (i + 1 == argc) continue;
+    if (word == "--folder") options.folder = argv[i + 1];
+    if (word == "--distinct") options.distinct = std::max(1, atoi(argv[i + 1]));
+  }
+  return options;
+}
+
+int Main(const Options& options) {
+  const fs::path own =
+      fs::temp_directory_path() / fmt::format("plsc_report_bench_{}", getpid());
+  const std::string folder =
+      options.folder.empty() ? own.string() : options.folder;
+  const Study study = MakeStudy(options.is_smoke);
+  MakeRuns(folder, study, options.distinct);
+  const std::string page = folder + "/report.html";
+  ReportOn(folder, page, "paper");
+  ReportOn(folder, page, "all");
+  if (options.folder.empty()) fs::remove_all(own);
+  return 0;
+}
+
+}  // namespace
+}  // namespace plsc
+
+int main(int argc, char** argv) {
+  return plsc::Main(plsc::ParseOptions(argc, argv));
+}
