@@ -64,12 +64,13 @@ TEST_CASE("rough ground is told by its heights", "[ground_json]") {
   CHECK(spacing <= season.terrain.rough.wavelength / 4);
   CHECK(numbers.size() <= kMaxHeights);
   // Those of the simulator, over all of the extent.
-  const Eigen::Index row = 7;
-  const Eigen::Index column = 11;
+  const int row = 7;
+  const int column = 11;
   const double x = heights["x"].get<double>() + spacing * column;
   const double y = heights["y"].get<double>() + spacing * row;
   CHECK(numbers(row, column) == Approx(field.At(x, y).height).margin(1e-4));
-  CHECK(heights["x"].get<double>() + spacing * (numbers.cols() - 1) >=
+  CHECK(heights["x"].get<double>() +
+            spacing * static_cast<double>(numbers.cols() - 1) >=
         0.5 + kGroundMargin);
 
   SECTION("coarser where it would be too much") {
