@@ -109,7 +109,7 @@ TEST_CASE("steps and obstacles are told as boxes", "[ground_json]") {
     const Eigen::MatrixXd many =
         Numbers(json::parse(GroundJson(season))["boxes"], "samples");
     CHECK(many.cols() <= kMaxBoxes);
-    CHECK(many.cols() > kMaxBoxes / 2);
+    CHECK(many.cols() > kMaxBoxes / 4);  // none stands near the origin
   }
 }
 

@@ -11,6 +11,9 @@ import { isSensor } from "./words.js";
 // s of life in which a change is shown.
 const changeShown = 4;
 
+// m, of the core of a robot that was not simulated, which hovers at rest.
+export const unlivedHeight = 0.15;
+
 const plain = solidMaterial();
 const touching = flatMaterial();
 const shadow = shadowMaterial();
@@ -76,7 +79,8 @@ export class Robot {
     const { motion } = this.season;
     this.links.forEach((link, i) => {
       if (!place) {
-        link.position.set(...this.season.body.links[i].rest);
+        const [x, y, z] = this.season.body.links[i].rest;
+        link.position.set(x, y, z + unlivedHeight);
         return;
       }
       const at = (row) => between(motion.position, motion.samples, 3 * i + row, place);

@@ -5,7 +5,7 @@ import { makeGround } from "./ground.js";
 import { followedAt, placeOf } from "./life.js";
 import { makeFading, setFading, toLight } from "./materials.js";
 import { makePath } from "./path.js";
-import { Robot } from "./robot.js";
+import { Robot, unlivedHeight } from "./robot.js";
 
 function changeOf(seasons, i) {
   const before = seasons[i - 1];
@@ -30,7 +30,7 @@ class SeasonScene {
   // Gives where the robot is, m.
   pose(age) {
     const place = placeOf(this.season, age);
-    const at = place ? followedAt(this.season, place) : [0, 0, 0.1];
+    const at = place ? followedAt(this.season, place) : [0, 0, unlivedHeight];
     this.ground.moveTo(at);
     this.path.geometry.setDrawRange(0, place ? place.index + 1 : 0);
     if (!this.robot) return at;
