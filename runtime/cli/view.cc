@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <ostream>
 
 #include "runtime/cli/commands.h"
@@ -23,6 +24,18 @@ std::string TitleOf(const std::vector<ViewedLife>& lives) {
   return title;
 }
 
+/// A slip of the keyboard must not cost a recording.
+bool SparesInputs(const ViewCommand& command, Io& io) {
+  for (const std::string& input : command.inputs) {
+    std::error_code error;
+    if (!std::filesystem::equivalent(input, command.output, error)) continue;
+    io.err << fmt::format("error: the page would replace its input '{}'\n",
+                          input);
+    return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 Exit Run(const ViewCommand& command, Io& io) {
@@ -31,7 +44,8 @@ Exit Run(const ViewCommand& command, Io& io) {
     io.err << "error: this plsc was built without npm, and has no pages\n";
     return Exit::kBadInput;
   }
-  if (!CanWrite(command.output, io)) return Exit::kBadInput;
+  if (!CanWrite(command.output, io) || !SparesInputs(command, io))
+    return Exit::kBadInput;
   const InterruptHandler handler;
   const auto lives = LoadLives(command, io);
   if (InterruptHandler::is_interrupted()) return Exit::kInterrupted;
