@@ -13,6 +13,8 @@ libopenmpi-dev openmpi-bin python3"
 command -v npm >/dev/null 2>&1 || PLSC_PACKAGES="$PLSC_PACKAGES nodejs npm"
 # What tests alone need: a browser to open the pages in.
 PLSC_TEST_PACKAGES="chromium"
+# Builds with sanitizers and libFuzzer.
+PLSC_CLANG_PACKAGES="clang-14 libclang-rt-14-dev"
 
 plsc_fail() {
   echo "$(basename "$0"): $1" >&2

@@ -18,7 +18,7 @@ bool StartsWithDigit(const std::string& text) {
 }
 
 // "3" is "node3", "1-3" is "node1-node3".
-std::string FullId(const Part& part) {
+std::string FullId(const PhenotypePart& part) {
   if (part.kind == PartKind::kModule || !StartsWithDigit(part.id))
     return part.id;
   const std::size_t dash = part.id.find('-');
@@ -66,7 +66,8 @@ std::vector<std::string> IdsOf(const Phenotype& phenotype, PartKind kind) {
   return ids;
 }
 
-std::optional<PartHistory> HistoryOf(const Trace& trace, const Part& part) {
+std::optional<PartHistory> HistoryOf(const Trace& trace,
+                                     const PhenotypePart& part) {
   PartHistory history;
   history.id = FullId(part);
   const std::vector<std::string> ids = IdsOf(trace.phenotype, part.kind);

@@ -16,7 +16,7 @@ enum class PartKind : std::uint8_t { kModule, kNode, kEdge };
 /// A part of a phenotype by its id: module "7", sensor "7s1", node "node3",
 /// edge "node1-node3" (source, destination). "3" and "1-3" will do for nodes
 /// and edges.
-struct Part {
+struct PhenotypePart {
   PartKind kind = PartKind::kModule;
   std::string id;
 };
@@ -28,7 +28,8 @@ struct PartHistory {
 };
 
 /// Nothing when the robot has no such part.
-std::optional<PartHistory> HistoryOf(const Trace& trace, const Part& part);
+std::optional<PartHistory> HistoryOf(const Trace& trace,
+                                     const PhenotypePart& part);
 
 /// The ids of all parts of that kind, in order of creation.
 std::vector<std::string> IdsOf(const Phenotype& phenotype, PartKind kind);

@@ -33,5 +33,6 @@ while [ $# -gt 0 ]; do
 done
 
 plsc_install $PLSC_PACKAGES $PLSC_TEST_PACKAGES
+[ "$preset" != sanitize ] || plsc_install $PLSC_CLANG_PACKAGES
 plsc_build "$preset"
 ctest --preset "$preset" -j"$(nproc)" "${labels[@]}"

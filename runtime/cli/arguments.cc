@@ -172,6 +172,7 @@ Command ParseArguments(const std::vector<std::string>& arguments) {
   commands.Add(app, AddFix);
   commands.Add(app, AddFmt);
   commands.Add(app, AddDevelop);
+  commands.Add(app, AddDraw);
   commands.Add(app, AddLint);
   commands.Add(app, AddRegulate);
   commands.Add(app, AddSimulate);
@@ -183,6 +184,7 @@ Command ParseArguments(const std::vector<std::string>& arguments) {
   commands.Add(study, AddStudyRun);
   commands.Add(study, AddStudyStatus);
   commands.Add(app, AddReport);
+  commands.Add(app, AddView);
   commands.Add(app, AddWhy);
   commands.Add(app, AddTest);
   commands.Add(app, AddRandom);

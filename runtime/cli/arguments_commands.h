@@ -14,6 +14,7 @@ namespace plsc::cli {
 
 CLI::App* AddCheck(CLI::App& app, CheckCommand& command);
 CLI::App* AddDevelop(CLI::App& app, DevelopCommand& command);
+CLI::App* AddDraw(CLI::App& app, DrawCommand& command);
 CLI::App* AddEvolve(CLI::App& app, EvolveCommand& command);
 CLI::App* AddExplain(CLI::App& app, ExplainCommand& command);
 CLI::App* AddExport(CLI::App& app, ExportCommand& command);
@@ -32,6 +33,7 @@ CLI::App* AddStudyList(CLI::App& study, StudyListCommand& command);
 CLI::App* AddStudyRun(CLI::App& study, StudyRunCommand& command);
 CLI::App* AddStudyStatus(CLI::App& study, StudyStatusCommand& command);
 CLI::App* AddTest(CLI::App& app, TestCommand& command);
+CLI::App* AddView(CLI::App& app, ViewCommand& command);
 CLI::App* AddWhy(CLI::App& app, WhyCommand& command);
 
 /// --format text|json; `json` says what a line of it is.

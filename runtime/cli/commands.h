@@ -68,6 +68,21 @@ struct DevelopCommand {
   bool allow_range = false;
 };
 
+/// What a module's colour tells.
+enum class ColourBy : std::uint8_t { kType, kRule };
+
+struct DrawCommand {
+  std::string file;        ///< a genotype file, or the store of a run
+  std::string individual;  ///< of a run: an id or "best"; else empty
+  std::vector<std::string> environments;  ///< as DevelopCommand's
+  bool brain = false;
+  ColourBy colour = ColourBy::kType;
+  std::string output;  ///< an .svg or .png; empty: the terminal
+  double scale = 2;    ///< pixels of a PNG per px of the SVG
+  bool terminal = false;
+  bool allow_range = false;
+};
+
 struct LintCommand {
   std::vector<std::string> files;
   OutputFormat format = OutputFormat::kText;
@@ -135,6 +150,17 @@ struct RandomCommand {
   std::string output;  ///< empty: standard output
 };
 
+struct ViewCommand {
+  /// Recordings, genotypes, stores of runs; a store is followed by the ids (or
+  /// "best") of those of its robots that are meant.
+  std::vector<std::string> inputs;
+  std::string output;    ///< the page
+  std::string scenario;  ///< of genotypes; empty: the paper's
+  bool explain = false;  ///< the page of development instead, of genotypes
+  std::vector<std::string> environments;  ///< of `explain`, as DevelopCommand's
+  bool allow_range = false;
+};
+
 struct WhyCommand {
   std::string file;    ///< or FILE:LINE:COLUMN, which asks about a symbol
   std::string module;  ///< an id to ask about; empty: none
@@ -196,11 +222,12 @@ struct Answer {
 };
 
 using Command =
-    std::variant<Answer, CheckCommand, DevelopCommand, EvolveCommand,
-                 ExplainCommand, ExportCommand, FixCommand, FmtCommand,
-                 LintCommand, RandomCommand, RegulateCommand, ReplayCommand,
-                 ReportCommand,                  ShowCommand, SimulateCommand, StudyListCommand,
-                 StudyRunCommand, StudyStatusCommand, TestCommand, WhyCommand>;
+    std::variant<Answer, CheckCommand, DevelopCommand, DrawCommand,
+                 EvolveCommand, ExplainCommand, ExportCommand, FixCommand,
+                 FmtCommand, LintCommand, RandomCommand, RegulateCommand,
+                 ReplayCommand, ReportCommand, ShowCommand, SimulateCommand,
+                 StudyListCommand, StudyRunCommand, StudyStatusCommand,
+                 TestCommand, ViewCommand, WhyCommand>;
 
 /// `arguments` without the program's name.
 Command ParseArguments(const std::vector<std::string>& arguments);
@@ -212,6 +239,7 @@ Exit Run(const ExportCommand& command, Io& io);
 Exit Run(const FixCommand& command, Io& io);
 Exit Run(const FmtCommand& command, Io& io);
 Exit Run(const DevelopCommand& command, Io& io);
+Exit Run(const DrawCommand& command, Io& io);
 Exit Run(const LintCommand& command, Io& io);
 Exit Run(const RegulateCommand& command, Io& io);
 Exit Run(const ReplayCommand& command, Io& io);
@@ -223,6 +251,7 @@ Exit Run(const StudyRunCommand& command, Io& io);
 Exit Run(const StudyStatusCommand& command, Io& io);
 Exit Run(const EvolveCommand& command, Io& io);
 Exit Run(const RandomCommand& command, Io& io);
+Exit Run(const ViewCommand& command, Io& io);
 Exit Run(const WhyCommand& command, Io& io);
 Exit Run(const TestCommand& command, Io& io);
 

@@ -3,6 +3,7 @@
 // The outside world as the commands see it: streams, the exit status, files by
 // name. Tests put string streams in its place.
 
+#include <cstddef>
 #include <iosfwd>
 #include <optional>
 #include <string>
@@ -28,6 +29,8 @@ struct Io {
   std::ostream& err;
   bool err_is_terminal = false;  ///< progress lines may be redrawn
   bool err_in_color = false;     ///< diagnostics may be painted
+  /// Characters a line of `out`; that of most terminals where nobody knows.
+  std::size_t out_columns = 80;
 };
 
 /// Whether a stream gets colour that nobody asked for: a terminal does, unless

@@ -3,12 +3,11 @@
 #include <filesystem>
 #include <ostream>
 
-#include "compiler/print.h"
 #include "runtime/cli/commands.h"
 #include "runtime/cli/interrupt.h"
 #include "runtime/cli/load_yaml.h"
 #include "runtime/cli/program.h"
-#include "runtime/cli/simulation_watch.h"
+#include "runtime/cli/recorded_life.h"
 #include "runtime/evaluation.h"
 #include "runtime/formats/path_svg.h"
 #include "runtime/formats/recording_json.h"
@@ -18,16 +17,6 @@
 namespace plsc::cli {
 
 namespace {
-
-// Every season must say what the genotype senses and cannot feel, before any
-// is simulated.
-bool CanSense(const Scenario& scenario, const Genotype& genotype, Io& io) {
-  const std::vector<Diagnostic> problems =
-      CheckSenses(scenario, genotype.states);
-  for (const Diagnostic& problem : problems)
-    io.err << fmt::format("error: {}\n", problem.message);
-  return problems.empty();
-}
 
 void PrintHeader(std::ostream& out) {
   out << fmt::format("{:<12} {:>5} {:>6} {:>7} {:>11} {:>8} {:>9}  {}\n",
@@ -125,22 +114,6 @@ bool WriteInto(const std::string& folder, const std::string& name,
   return Write((std::filesystem::path(folder) / name).string(), text, io);
 }
 
-// Told before hours of simulation, not after them.
-bool HasFolder(const std::string& path, Io& io) {
-  if (path.empty()) return true;
-  const std::filesystem::path folder =
-      std::filesystem::path(path).parent_path();
-  std::error_code error;
-  const char* problem = nullptr;
-  if (!folder.empty() && !std::filesystem::is_directory(folder, error))
-    problem = "its folder does not exist";
-  else if (std::filesystem::is_directory(path, error))
-    problem = "it is a folder";
-  if (problem != nullptr)
-    io.err << fmt::format("error: cannot write '{}': {}\n", path, problem);
-  return problem == nullptr;
-}
-
 // Everything that a run of the command leaves behind.
 struct Record {
   std::vector<SeasonResult> results;
@@ -162,17 +135,10 @@ void PrintSeason(const SimulateCommand& command, const SeasonLife& life,
 Record LiveAll(const SimulateCommand& command, const Genotype& genotype,
                const Scenario& scenario, Io& io) {
   const bool is_recording = !command.record.empty() || !command.svg.empty();
-  SimulationWatch watch(scenario, io.err_is_terminal ? &io.err : nullptr,
-                        is_recording);
+  RecordedLife lived(genotype, scenario, {}, is_recording, io);
   Record record;
-  record.recording = {
-      genotype.name, Print(genotype), PrintScenario(scenario), {}};
-  for (Life lives(genotype, scenario, &watch); !lives.is_over();) {
-    const SeasonLife life = lives.Next();
-    Motion motion = watch.FinishSeason();
-    if (is_recording)
-      record.recording.seasons.push_back(RecordSeason(
-          scenario.seasons[record.results.size()], life, std::move(motion)));
+  while (!lived.is_over()) {
+    const SeasonLife life = lived.Next();
     PrintSeason(command, life, scenario, genotype.name, io);
     const std::string& folder = command.trajectory_folder;
     if (!folder.empty() && !WriteInto(folder, life.result.season + ".csv",
@@ -181,6 +147,7 @@ Record LiveAll(const SimulateCommand& command, const Genotype& genotype,
     record.results.push_back(life.result);
     if (!record.is_written || InterruptHandler::is_interrupted()) break;
   }
+  record.recording = lived.recording();
   return record;
 }
 
@@ -190,14 +157,9 @@ Exit Run(const SimulateCommand& command, Io& io) {
   const auto program = LoadProgram(command.file, false, io);
   if (!program) return Exit::kBadInput;
   const Genotype& genotype = program->genotype;
-  if (!genotype.alphabet->is_built_in()) {
-    io.err << fmt::format("error: alphabet '{}' has no bodies to simulate\n",
-                          genotype.alphabet->name());
-    return Exit::kBadInput;
-  }
   const auto scenario = LoadScenario(command.scenario, io);
-  if (!scenario || !CanSense(*scenario, genotype, io) ||
-      !HasFolder(command.record, io) || !HasFolder(command.svg, io))
+  if (!scenario || !CanLive(*scenario, genotype, io) ||
+      !CanWrite(command.record, io) || !CanWrite(command.svg, io))
     return Exit::kBadInput;
 
   if (command.format == OutputFormat::kText) {

@@ -47,10 +47,13 @@ FileAndPlace Split(const std::string& text) {
   return {file, Position{*line, *column}};
 }
 
-std::optional<Part> PartOf(const WhyCommand& command) {
-  if (!command.module.empty()) return Part{PartKind::kModule, command.module};
-  if (!command.node.empty()) return Part{PartKind::kNode, command.node};
-  if (!command.edge.empty()) return Part{PartKind::kEdge, command.edge};
+std::optional<PhenotypePart> PartOf(const WhyCommand& command) {
+  if (!command.module.empty())
+    return PhenotypePart{PartKind::kModule, command.module};
+  if (!command.node.empty())
+    return PhenotypePart{PartKind::kNode, command.node};
+  if (!command.edge.empty())
+    return PhenotypePart{PartKind::kEdge, command.edge};
   return std::nullopt;
 }
 
@@ -74,7 +77,7 @@ void PrintJson(const Genotype& genotype, const NamedEnvironment& named,
   io.out << json.dump(-1, ' ', false, Json::error_handler_t::replace) << '\n';
 }
 
-std::string AbsenceText(const Phenotype& phenotype, const Part& part) {
+std::string AbsenceText(const Phenotype& phenotype, const PhenotypePart& part) {
   const std::vector<std::string> ids = IdsOf(phenotype, part.kind);
   return fmt::format(
       "no {} {}; there is {}\n", KindName(part.kind), part.id,
@@ -83,7 +86,7 @@ std::string AbsenceText(const Phenotype& phenotype, const Part& part) {
 
 // Back from a part; false when the robot of this environment has none such.
 bool ExplainPart(const HistoryView& view, const NamedEnvironment& named,
-                 const Part& part, OutputFormat format, Io& io) {
+                 const PhenotypePart& part, OutputFormat format, Io& io) {
   const auto found = HistoryOf(*view.history.trace, part);
   if (format == OutputFormat::kJson) {
     PrintJson(view.genotype, named, PartJson(view, part, found), io);
@@ -124,7 +127,7 @@ std::optional<SymbolPlace> FindPlace(const LoadedProgram& loaded,
 }
 
 struct Question {
-  std::optional<Part> part;
+  std::optional<PhenotypePart> part;
   std::optional<SymbolPlace> place;
 };
 

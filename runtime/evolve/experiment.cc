@@ -160,7 +160,7 @@ void ReadVariation(YamlMap& map, Experiment& experiment) {
   MutationOptions& options = experiment.variation;
   options.clause_share =
       map.Number("clause_mutation", options.clause_share, kProbability);
-  options.insertion = static_cast<Insertion>(
+  options.insertion = static_cast<InsertionPoint>(
       map.Choice("insertion", static_cast<std::size_t>(options.insertion),
                  InsertionNames()));
   options.removal = static_cast<Removal>(map.Choice(

@@ -183,7 +183,7 @@ Rule SwapSymbols(Rule rule, Rng& rng, Removal removal) {
 }
 
 Rule AddSymbol(Rule rule, const Alphabet& alphabet, Rng& rng,
-               Insertion insertion) {
+               InsertionPoint insertion) {
   using enum Category;
   constexpr Category kCategories[] = {kModule, kMounting, kMoving,
                                       kControllerMoving, kControllerChanging};
@@ -193,7 +193,7 @@ Rule AddSymbol(Rule rule, const Alphabet& alphabet, Rng& rng,
   const std::size_t first = IsCore(production.front()) ? 1 : 0;
   // Places from `first` on: one more than symbols from there on, or as many.
   std::size_t places = production.size() + 1 - first;
-  if (insertion == Insertion::kBeforeEnd && places > 1) --places;
+  if (insertion == InsertionPoint::kBeforeEnd && places > 1) --places;
   const std::size_t index = first + rng.Index(places);
   production.insert(production.begin() + static_cast<Offset>(index), symbol);
   return rule;

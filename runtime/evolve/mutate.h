@@ -18,7 +18,7 @@ enum class MutationKind : std::uint8_t { kDelete, kSwap, kAdd, kClause };
 std::string_view MutationName(MutationKind kind);
 
 /// Where a symbol may be added; never before C.
-enum class Insertion : std::uint8_t {
+enum class InsertionPoint : std::uint8_t {
   kAnywhere,   ///< the end included
   kBeforeEnd,  ///< before the last symbol or earlier, as the authors' program;
                ///< after C in a rule of C alone, where that program fails
@@ -35,7 +35,7 @@ struct MutationOptions {
   /// Share of clause changes among mutations, 0 to 1; the other kinds share
   /// the rest evenly. Not used for Encoding::kBaseline.
   double clause_share = 0.25;
-  Insertion insertion = Insertion::kAnywhere;
+  InsertionPoint insertion = InsertionPoint::kAnywhere;
   Removal removal = Removal::kByPosition;
 
   friend bool operator==(const MutationOptions&,
@@ -68,7 +68,7 @@ Rule SwapSymbols(Rule rule, Rng& rng, Removal removal = {});
 /// A symbol of a category drawn first, at a position from 0 (1 where C is
 /// first) to where `insertion` ends, uniformly.
 Rule AddSymbol(Rule rule, const Alphabet& alphabet, Rng& rng,
-               Insertion insertion = {});
+               InsertionPoint insertion = {});
 
 /// One of the changes that are possible, each as likely: change a term (bool:
 /// True becomes False and the reverse; enum: another comparison or value;

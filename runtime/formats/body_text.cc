@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "runtime/body_difference.h"
+
 namespace plsc {
 
 namespace {
@@ -48,19 +50,36 @@ struct Point {
   int y = 0;
 };
 
-void DrawBox(Canvas& canvas, Point corner, const std::string& label) {
+// The lines of a box: across, down, and the corners from the top left on, row
+// by row.
+struct BoxStyle {
+  std::string_view across, down, corners[4];
+};
+constexpr BoxStyle kLight{"─", "│", {"┌", "┐", "└", "┘"}};
+constexpr BoxStyle kThick{"━", "┃", {"┏", "┓", "┗", "┛"}};
+constexpr BoxStyle kDouble{"═", "║", {"╔", "╗", "╚", "╝"}};
+constexpr BoxStyle kDashed{"╌", "╎", {"┌", "┐", "└", "┘"}};
+
+const BoxStyle& StyleOf(ModuleMark mark) {
+  return mark == ModuleMark::kShared ? kLight
+         : mark == ModuleMark::kNew  ? kThick
+                                     : kDouble;
+}
+
+void DrawBox(Canvas& canvas, Point corner, const std::string& label,
+             const BoxStyle& style) {
   const int right = corner.x + kBoxWidth - 1;
   const int bottom = corner.y + kBoxHeight - 1;
   for (int x = corner.x + 1; x < right; ++x) {
-    canvas.Set(x, corner.y, "─");
-    canvas.Set(x, bottom, "─");
+    canvas.Set(x, corner.y, style.across);
+    canvas.Set(x, bottom, style.across);
   }
-  canvas.Set(corner.x, corner.y + 1, "│");
-  canvas.Set(right, corner.y + 1, "│");
-  canvas.Set(corner.x, corner.y, "┌");
-  canvas.Set(right, corner.y, "┐");
-  canvas.Set(corner.x, bottom, "└");
-  canvas.Set(right, bottom, "┘");
+  canvas.Set(corner.x, corner.y + 1, style.down);
+  canvas.Set(right, corner.y + 1, style.down);
+  canvas.Set(corner.x, corner.y, style.corners[0]);
+  canvas.Set(right, corner.y, style.corners[1]);
+  canvas.Set(corner.x, bottom, style.corners[2]);
+  canvas.Set(right, bottom, style.corners[3]);
   canvas.Write(corner.x + 1, corner.y + 1,
                fmt::format("{:^{}}", label, kBoxWidth - 2));
 }
@@ -89,42 +108,79 @@ std::string LabelOf(const Module& module) {
   return label;
 }
 
+bool IsSensor(const Module& module) {
+  return module.type == ModuleType::kTouchSensor;
+}
+
+// A canvas that cells are drawn on.
+class Plan {
+ public:
+  explicit Plan(const CellExtent& extent)
+      : extent_(extent),
+        canvas_(extent.columns() * kBoxWidth, extent.rows() * kBoxHeight) {}
+
+  void Add(const Module& module, const BoxStyle& style) {
+    DrawBox(canvas_, CornerOf(module), LabelOf(module), style);
+  }
+  void AddMissing(const Module& module) {
+    DrawBox(canvas_, CornerOf(module), "", kDashed);
+  }
+  void AddDot(const Module& module) {
+    const Point dot = Border(CornerOf(module), Opposite(module.facing));
+    canvas_.Set(dot.x, dot.y, "•");
+  }
+  void AddSensor(const Body& body, const Module& sensor,
+                 std::string_view letter) {
+    const Module& parent =
+        body.modules[static_cast<std::size_t>(sensor.parent)];
+    const Point place =
+        Border(CornerOf(parent), FacingOf(parent.facing, sensor.slot));
+    canvas_.Set(place.x, place.y, letter);
+  }
+  std::string Text() const { return canvas_.Text(); }
+
+ private:
+  Point CornerOf(const Module& module) const {
+    return {(module.x - extent_.left) * kBoxWidth,
+            (extent_.front - module.y) * kBoxHeight};
+  }
+
+  CellExtent extent_;
+  Canvas canvas_;
+};
+
 }  // namespace
 
 std::string BodyText(const Body& body) {
-  int left = 0;
-  int right = 0;
-  int back = 0;
-  int front = 0;
-  for (const Module& module : body.modules) {
-    if (module.type == ModuleType::kTouchSensor) continue;
-    left = std::min(left, module.x);
-    right = std::max(right, module.x);
-    back = std::min(back, module.y);
-    front = std::max(front, module.y);
+  return BodyText(body, body);
+}
+
+std::string BodyText(const Body& body, const Body& reference,
+                     const CellExtent& rows) {
+  const BodyDifference difference = CompareBodies(reference, body);
+  CellExtent extent;
+  extent.Include(body);
+  extent.Include(reference);
+  extent.back = rows.back;
+  extent.front = rows.front;
+  Plan plan(extent);
+  // What is there is drawn over what is not.
+  for (const int index : difference.missing) {
+    const Module& module = reference.modules[static_cast<std::size_t>(index)];
+    if (!IsSensor(module)) plan.AddMissing(module);
   }
-  Canvas canvas((right - left + 1) * kBoxWidth,
-                (front - back + 1) * kBoxHeight);
-  const auto corner = [&](const Module& module) {
-    return Point{(module.x - left) * kBoxWidth,
-                 (front - module.y) * kBoxHeight};
-  };
-  for (const Module& module : body.modules) {
-    if (module.type == ModuleType::kTouchSensor) continue;
-    DrawBox(canvas, corner(module), LabelOf(module));
-    if (module.parent == kNoModule) continue;
-    const Point dot = Border(corner(module), Opposite(module.facing));
-    canvas.Set(dot.x, dot.y, "•");
+  for (std::size_t i = 0; i < body.modules.size(); ++i)
+    if (!IsSensor(body.modules[i]))
+      plan.Add(body.modules[i], StyleOf(difference.marks[i]));
+  for (const Module& module : body.modules)
+    if (!IsSensor(module) && module.parent != kNoModule) plan.AddDot(module);
+  for (const int index : difference.missing) {
+    const Module& module = reference.modules[static_cast<std::size_t>(index)];
+    if (IsSensor(module)) plan.AddSensor(reference, module, "t");
   }
-  for (const Module& module : body.modules) {
-    if (module.type != ModuleType::kTouchSensor) continue;
-    const Module& parent =
-        body.modules[static_cast<std::size_t>(module.parent)];
-    const Facing side = FacingOf(parent.facing, module.slot);
-    const Point place = Border(corner(parent), side);
-    canvas.Set(place.x, place.y, "T");
-  }
-  return canvas.Text();
+  for (const Module& module : body.modules)
+    if (IsSensor(module)) plan.AddSensor(body, module, "T");
+  return plan.Text();
 }
 
 }  // namespace plsc

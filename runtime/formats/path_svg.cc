@@ -31,7 +31,7 @@ constexpr double kMostRatio = 4;
 constexpr double kFinest = 1;             // px, the shortest piece of a path
 constexpr int kTones = 24;                // of the path's colour
 constexpr int kMostDots = 30;             // on a path
-constexpr std::size_t kMostLetters = 46;  // of a heading of 400 px at 13 px
+constexpr std::size_t kMostLetters = 49;  // of a heading of 400 px at 13 px
 
 Eigen::AlignedBox2d ExtentOf(const RecordedSeason& season) {
   Eigen::AlignedBox2d extent;
@@ -69,16 +69,6 @@ std::string Tone(double share) {
   };
   return fmt::format("#{:02x}{:02x}{:02x}", part(0x8e, 0x08), part(0xc0, 0x1d),
                      part(0xe4, 0x58));
-}
-
-// At most so many characters, cut between two of UTF-8.
-std::string Shortened(const std::string& text) {
-  std::size_t letters = 0;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    if ((static_cast<unsigned char>(text[i]) & 0xC0) == 0x80) continue;
-    if (++letters > kMostLetters) return text.substr(0, i) + "...";
-  }
-  return text;
 }
 
 std::string PolygonSvg(const Outline& outline, const MapView& view,
@@ -225,8 +215,9 @@ std::string HeadingSvg(const RecordedSeason& season, const MapView& view) {
       R"(<text x="{0}" y="{1}" class="name">{2}</text>)"
       R"(<text x="{0}" y="{3}" class="small"><title>{4}</title>{5}</text>)"
       "\n",
-      view.corner.x(), view.corner.y() - 26, EscapeXml(Shortened(season.name)),
-      view.corner.y() - 8, EscapeXml(fate), EscapeXml(Shortened(fate)));
+      view.corner.x(), view.corner.y() - 26,
+      EscapeXml(Shortened(season.name, kMostLetters)), view.corner.y() - 8,
+      EscapeXml(fate), EscapeXml(Shortened(fate, kMostLetters)));
 }
 
 std::string FootingSvg(const RecordedSeason& season, const MapView& view,
@@ -308,7 +299,8 @@ std::string PathSvg(const Recording& recording) {
       R"(<text x="{3}" y="26" class="title">{4}</text>)"
       "\n",
       kGap + columns * (kPlot + kGap), kTitle + rows * panel + kGap / 2,
-      EscapeXml(recording.name), kGap, EscapeXml(Shortened(recording.name)));
+      EscapeXml(recording.name), kGap,
+      EscapeXml(Shortened(recording.name, kMostLetters)));
   for (int i = 0; i < seasons; ++i) {
     const RecordedSeason& season =
         recording.seasons[static_cast<std::size_t>(i)];

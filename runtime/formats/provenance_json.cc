@@ -27,7 +27,7 @@ Json FateJson(const HistoryView& view, const Fate& fate) {
 
 }  // namespace
 
-Json PartJson(const HistoryView& view, const Part& part,
+Json PartJson(const HistoryView& view, const PhenotypePart& part,
               const std::optional<PartHistory>& found) {
   Json json;
   json[std::string(KindName(part.kind))] = found ? found->id : part.id;

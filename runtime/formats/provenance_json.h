@@ -12,7 +12,8 @@ namespace plsc {
 
 /// Keys module, node or edge (the id), origin and changes: symbols as in
 /// EventJson, each with its ancestry. Without `found` origin is null.
-nlohmann::ordered_json PartJson(const HistoryView& view, const Part& part,
+nlohmann::ordered_json PartJson(const HistoryView& view,
+                                const PhenotypePart& part,
                                 const std::optional<PartHistory>& found);
 
 /// Keys symbol, place, rule, occurrences (ancestry, replaced_in, index, event).

@@ -13,7 +13,7 @@ TEST_CASE("a part is found by its id", "[provenance]") {
   const auto grown = test::GrowProduction(kRobot);
   struct Row {
     const char* why;
-    Part part;
+    PhenotypePart part;
     const char* id;
     StringIndex origin;
     std::vector<StringIndex> changes;
@@ -45,11 +45,14 @@ TEST_CASE("a part is found by its id", "[provenance]") {
 
 TEST_CASE("a part that is not there is none", "[provenance]") {
   const auto grown = test::GrowProduction(kRobot);
-  for (const Part& part :
-       {Part{PartKind::kModule, "3"}, Part{PartKind::kModule, ""},
-        Part{PartKind::kNode, "node3"}, Part{PartKind::kNode, "x"},
-        Part{PartKind::kEdge, "node1-node2"}, Part{PartKind::kEdge, "1"},
-        Part{PartKind::kEdge, "1-"}}) {
+  for (const PhenotypePart& part :
+       {PhenotypePart{PartKind::kModule, "3"},
+        PhenotypePart{PartKind::kModule, ""},
+        PhenotypePart{PartKind::kNode, "node3"},
+        PhenotypePart{PartKind::kNode, "x"},
+        PhenotypePart{PartKind::kEdge, "node1-node2"},
+        PhenotypePart{PartKind::kEdge, "1"},
+        PhenotypePart{PartKind::kEdge, "1-"}}) {
     INFO(part.id);
     CHECK_FALSE(HistoryOf(grown.trace(), part));
   }

@@ -39,7 +39,7 @@ Experiment Unusual() {
                          0,
                          3};
   experiment.inheritance = Inheritance::kJoined;
-  experiment.variation = {0.1, Insertion::kBeforeEnd, Removal::kByValue};
+  experiment.variation = {0.1, InsertionPoint::kBeforeEnd, Removal::kByValue};
   experiment.scenario.name = "other";
   experiment.scenario.seasons.pop_back();
   return experiment;
@@ -61,7 +61,7 @@ TEST_CASE("Without any key an experiment is the paper's", "[experiment]") {
   CHECK(read->genotype.development.max_modules == 15);
   CHECK(read->inheritance == Inheritance::kGenotype);
   CHECK(read->variation.clause_share == 0.25);
-  CHECK(read->variation.insertion == Insertion::kAnywhere);
+  CHECK(read->variation.insertion == InsertionPoint::kAnywhere);
   CHECK(read->variation.removal == Removal::kByPosition);
   CHECK(read->genotype.min_groups == 1);
   CHECK(read->genotype.max_groups == 4);

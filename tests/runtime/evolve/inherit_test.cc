@@ -132,7 +132,7 @@ Growth GrowthOf(Inheritance inheritance) {
   Experiment experiment;
   experiment.population = 40;
   experiment.inheritance = inheritance;
-  experiment.variation = {0.25, Insertion::kBeforeEnd, Removal::kByValue};
+  experiment.variation = {0.25, InsertionPoint::kBeforeEnd, Removal::kByValue};
   std::vector<std::vector<double>> means;
   std::vector<std::vector<double>> longest;
   for (experiment.seed = 1; experiment.seed <= 60; ++experiment.seed) {

@@ -20,7 +20,7 @@ namespace {
 using test::Tally;
 
 constexpr std::uint64_t kCalls = 20000;
-constexpr MutationOptions kTheirs = {0.25, Insertion::kBeforeEnd,
+constexpr MutationOptions kTheirs = {0.25, InsertionPoint::kBeforeEnd,
                                      Removal::kByValue};
 
 /// The authors' names of our kinds.
@@ -198,7 +198,7 @@ TEST_CASE("The paper's mutation is told from the authors' by places alone",
     return MutateAll({}, options, 1).detail.Disagreements(theirs.at("detail"));
   };
   MutationOptions options = kTheirs;
-  options.insertion = Insertion::kAnywhere;
+  options.insertion = InsertionPoint::kAnywhere;
   const Names of_insertion = disagreements(options);
   CHECK(of_insertion.size() >= 4);
   for (const std::string& name : of_insertion) {
@@ -275,13 +275,13 @@ TEST_CASE("The switches choose places as they say", "[mutate]") {
     const Rule swapped = SwapSymbols(rule, rng, Removal::kByValue);
     REQUIRE((swapped == rule ||
              swapped.production == std::vector<Symbol>{b, t, t, b}));
-    const Rule added =
-        AddSymbol(rule, *PlasticodingAlphabet(), rng, Insertion::kBeforeEnd);
+    const Rule added = AddSymbol(rule, *PlasticodingAlphabet(), rng,
+                                 InsertionPoint::kBeforeEnd);
     REQUIRE(added.production.size() == 5);
     REQUIRE(added.production.back() == b);
     // Where their program fails, the only place there is.
-    const Rule grown =
-        AddSymbol(core, *PlasticodingAlphabet(), rng, Insertion::kBeforeEnd);
+    const Rule grown = AddSymbol(core, *PlasticodingAlphabet(), rng,
+                                 InsertionPoint::kBeforeEnd);
     REQUIRE(grown.production.size() == 2);
     REQUIRE(grown.production[0].id == plasticoding::kC);
   }

@@ -10,7 +10,7 @@ using Json = nlohmann::ordered_json;
 TEST_CASE("a part's origin and changes carry their ancestry",
           "[provenance_json]") {
   const auto grown = test::Grow(test::kTwoGenerations, Environment{{0}});
-  const Part part{PartKind::kNode, "1"};
+  const PhenotypePart part{PartKind::kNode, "1"};
   const Json json =
       PartJson(grown.view(), part, HistoryOf(grown.trace(), part));
   CHECK(json["node"] == "node1");

@@ -1,0 +1,35 @@
+// Pictures of the pages in a folder: node screenshots.mjs PAGES IMAGES
+import { createRequire } from "node:module";
+import { join, resolve } from "node:path";
+import { pathToFileURL } from "node:url";
+
+const [pages, images] = process.argv.slice(2);
+const { chromium } = createRequire(resolve(process.env.PLSC_NODE_MODULES, "x.js"))("playwright-core");
+const browser = await chromium.launch({
+  executablePath: "/usr/bin/chromium",
+  args: ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"],
+});
+
+// name: what to do on the page before it is taken, and of which size
+const shots = {
+  report: { size: { width: 1280, height: 860 } },
+  replay: {
+    size: { width: 1100, height: 760 },
+    // Some seconds into the life, so that something happened.
+    prepare: async (page) => {
+      await page.getByRole("button", { name: /play/i }).first().click();
+      await page.waitForTimeout(4000);
+    },
+  },
+  explain: { size: { width: 1280, height: 860 } },
+};
+
+for (const [name, { size, prepare }] of Object.entries(shots)) {
+  const page = await browser.newPage({ viewport: size });
+  await page.goto(pathToFileURL(join(resolve(pages), `${name}.html`)).href);
+  await page.waitForTimeout(500);
+  await prepare?.(page);
+  await page.screenshot({ path: join(images, `${name}.png`) });
+  console.log(join(images, `${name}.png`));
+}
+await browser.close();

@@ -1,0 +1,143 @@
+#include <fmt/format.h>
+
+#include <map>
+#include <ostream>
+
+#include "compiler/print.h"
+#include "runtime/cli/commands.h"
+#include "runtime/cli/open_run.h"
+#include "runtime/cli/png.h"
+#include "runtime/cli/robot_source.h"
+#include "runtime/formats/bodies_svg.h"
+#include "runtime/formats/body_text.h"
+#include "runtime/formats/brain_svg.h"
+#include "runtime/formats/brain_text.h"
+#include "runtime/formats/side_by_side.h"
+#include "runtime/trace.h"
+
+namespace plsc::cli {
+
+namespace {
+
+struct Grown {
+  std::vector<DrawnBody> bodies;  ///< by environment
+  std::vector<DrawnBrain> brains;
+};
+
+std::vector<RuleIndex> MakersOf(const History& history) {
+  std::vector<RuleIndex> rules;
+  for (const StringIndex index : history.trace->module_origins) {
+    const InsertionId id = history.derivation.string()[index];
+    rules.push_back(history.derivation[id].occurrence.rule);
+  }
+  return rules;
+}
+
+std::optional<Grown> GrowAll(const RobotFound& robot, Io& io) {
+  const Genotype& genotype = robot.loaded.mapped.program.genotype;
+  Grown grown;
+  for (const NamedEnvironment& named : robot.environments) {
+    const auto history = DevelopWithHistory(genotype, named.environment);
+    if (!history) {
+      ReportGrowth(robot.loaded, named, io);
+      return std::nullopt;
+    }
+    const std::string senses = SensesOf(named, genotype.states);
+    const Phenotype& phenotype = history->trace->phenotype;
+    grown.bodies.push_back(
+        {named.name, senses, phenotype.body, MakersOf(*history)});
+    grown.brains.push_back({named.name, senses, phenotype});
+  }
+  return grown;
+}
+
+// "rule 2: B, if hot = True (line 12)", by rule.
+std::vector<std::string> RuleTexts(const LoadedProgram& loaded) {
+  const Genotype& genotype = loaded.mapped.program.genotype;
+  std::vector<std::string> texts;
+  for (std::size_t i = 0; i < genotype.rules.size(); ++i) {
+    const Rule& rule = genotype.rules[i];
+    const Span span = loaded.mapped.map.rules[i].rule;
+    texts.push_back(fmt::format(
+        "rule {}: {}, {} (line {})", i + 1,
+        (*genotype.alphabet)[rule.head].name,
+        rule.clause.is_always() ? std::string("always")
+                                : "if " + PrintClause(rule.clause, genotype),
+        loaded.source.PositionOf(span.begin).line));
+  }
+  return texts;
+}
+
+std::string Picture(const DrawCommand& command, const RobotFound& robot,
+                    const Grown& grown) {
+  if (command.brain) return BrainsSvg(robot.title, grown.brains);
+  if (command.colour == ColourBy::kRule)
+    return BodiesByRuleSvg(robot.title, grown.bodies, RuleTexts(robot.loaded));
+  return BodiesSvg(robot.title, grown.bodies);
+}
+
+// Which rule made which modules, a line a rule.
+std::string MakersText(const DrawnBody& drawn,
+                       const std::vector<std::string>& rule_texts) {
+  std::map<RuleIndex, std::string> made;
+  for (std::size_t i = 0; i < drawn.rules.size(); ++i)
+    made[drawn.rules[i]] += " " + ModuleId(drawn.body, static_cast<int>(i));
+  std::string text;
+  for (const auto& [rule, modules] : made)
+    text += fmt::format(
+        "{}:{}\n", rule == kNoRule ? "the axiom" : rule_texts[rule], modules);
+  return text;
+}
+
+std::string TerminalText(const DrawCommand& command, const RobotFound& robot,
+                         const Grown& grown, std::size_t columns) {
+  const std::vector<std::string> rule_texts = RuleTexts(robot.loaded);
+  CellExtent rows;  // of all, so that cores lie on a line
+  for (const DrawnBody& drawn : grown.bodies) rows.Include(drawn.body);
+  std::vector<std::string> blocks;
+  for (std::size_t i = 0; i < grown.bodies.size(); ++i) {
+    const DrawnBody& drawn = grown.bodies[i];
+    std::string text = drawn.name + '\n';
+    if (!drawn.senses.empty()) text += drawn.senses + '\n';
+    if (command.brain)
+      text += BrainText(grown.brains[i].phenotype);
+    else
+      text += BodyText(drawn.body, grown.bodies.front().body, rows);
+    if (command.colour == ColourBy::kRule && !command.brain)
+      text += MakersText(drawn, rule_texts);
+    blocks.push_back(std::move(text));
+  }
+  return robot.title + "\n\n" + SideBySide(blocks, columns);
+}
+
+Exit WritePicture(const DrawCommand& command, const std::string& svg, Io& io) {
+  std::string bytes = svg;
+  if (command.output.ends_with(".png")) {
+    Loaded<std::string> png = PngOf(svg, command.scale);
+    if (!png) return Complain(png.failure(), io);
+    bytes = std::move(*png);
+  }
+  if (const auto failure = WriteFile(command.output, bytes))
+    return Complain(
+        fmt::format("cannot write '{}': {}", command.output, *failure), io);
+  io.err << fmt::format("wrote {}\n", command.output);
+  return Exit::kFine;
+}
+
+}  // namespace
+
+Exit Run(const DrawCommand& command, Io& io) {
+  const auto found = FindRobot({command.file, command.individual,
+                                command.environments, command.allow_range},
+                               io);
+  if (const Exit* exit = std::get_if<Exit>(&found)) return *exit;
+  const auto& robot = std::get<RobotFound>(found);
+  const auto grown = GrowAll(robot, io);
+  if (!grown) return Exit::kBadInput;
+  if (command.terminal || command.output.empty())
+    io.out << TerminalText(command, robot, *grown, io.out_columns);
+  if (command.output.empty()) return Exit::kFine;
+  return WritePicture(command, Picture(command, robot, *grown), io);
+}
+
+}  // namespace plsc::cli

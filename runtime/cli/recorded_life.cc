@@ -1,0 +1,60 @@
+#include "runtime/cli/recorded_life.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <ostream>
+#include <utility>
+
+#include "compiler/print.h"
+
+namespace plsc::cli {
+
+bool CanLive(const Scenario& scenario, const Genotype& genotype, Io& io) {
+  if (!genotype.alphabet->is_built_in()) {
+    io.err << fmt::format("error: alphabet '{}' has no bodies to simulate\n",
+                          genotype.alphabet->name());
+    return false;
+  }
+  const std::vector<Diagnostic> problems =
+      CheckSenses(scenario, genotype.states);
+  for (const Diagnostic& problem : problems)
+    io.err << fmt::format("error: {}\n", problem.message);
+  return problems.empty();
+}
+
+bool CanWrite(const std::string& path, Io& io) {
+  if (path.empty()) return true;
+  const std::filesystem::path folder =
+      std::filesystem::path(path).parent_path();
+  std::error_code error;
+  const char* problem = nullptr;
+  if (!folder.empty() && !std::filesystem::is_directory(folder, error))
+    problem = "its folder does not exist";
+  else if (std::filesystem::is_directory(path, error))
+    problem = "it is a folder";
+  if (problem != nullptr)
+    io.err << fmt::format("error: cannot write '{}': {}\n", path, problem);
+  return problem == nullptr;
+}
+
+RecordedLife::RecordedLife(const Genotype& genotype, const Scenario& scenario,
+                           const Senses& inherited, bool is_recording, Io& io)
+    : scenario_(scenario),
+      is_recording_(is_recording),
+      watch_(scenario_, io.err_is_terminal ? &io.err : nullptr, is_recording),
+      life_(genotype, scenario_, &watch_, inherited),
+      recording_{genotype.name, Print(genotype), PrintScenario(scenario_), {}} {
+}
+
+SeasonLife RecordedLife::Next() {
+  SeasonLife life = life_.Next();
+  Motion motion = watch_.FinishSeason();
+  if (is_recording_)
+    recording_.seasons.push_back(
+        RecordSeason(scenario_.seasons[lived_], life, std::move(motion)));
+  ++lived_;
+  return life;
+}
+
+}  // namespace plsc::cli

@@ -1,0 +1,45 @@
+#pragma once
+
+// A life that is lived now and recorded, for simulate --record and for view.
+
+#include <iosfwd>
+#include <string>
+
+#include "runtime/cli/io.h"
+#include "runtime/cli/simulation_watch.h"
+#include "runtime/evaluation.h"
+#include "runtime/recording.h"
+
+namespace plsc::cli {
+
+/// Whether the genotype has a body to simulate and every season says what it
+/// senses and cannot feel. Prints what is wrong.
+bool CanLive(const Scenario& scenario, const Genotype& genotype, Io& io);
+
+/// Whether a file can be made there, which is told before hours of simulation
+/// and not after them. An empty path is none, and fine. Prints what is wrong.
+bool CanWrite(const std::string& path, Io& io);
+
+class RecordedLife {
+ public:
+  /// Shows progress if standard error is a terminal. Without `is_recording`
+  /// the recording has no seasons.
+  RecordedLife(const Genotype& genotype, const Scenario& scenario,
+               const Senses& inherited, bool is_recording, Io& io);
+
+  bool is_over() const { return life_.is_over(); }
+  /// Lives the next season.
+  SeasonLife Next();
+  /// Of the seasons so far.
+  const Recording& recording() const { return recording_; }
+
+ private:
+  const Scenario scenario_;
+  bool is_recording_ = false;
+  SimulationWatch watch_;
+  Life life_;
+  Recording recording_;
+  std::size_t lived_ = 0;  // seasons
+};
+
+}  // namespace plsc::cli

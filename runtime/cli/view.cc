@@ -1,0 +1,48 @@
+#include <fmt/format.h>
+
+#include <ostream>
+
+#include "runtime/cli/commands.h"
+#include "runtime/cli/interrupt.h"
+#include "runtime/cli/recorded_life.h"
+#include "runtime/cli/view_lives.h"
+#include "runtime/formats/view_json.h"
+#include "runtime/pages/page.h"
+
+namespace plsc::cli {
+
+namespace {
+
+// Titles are for tabs and bookmarks, which show some 30 characters.
+std::string TitleOf(const std::vector<ViewedLife>& lives) {
+  std::string title = lives.front().recording.name;
+  if (lives.size() == 2) title += " and " + lives.back().recording.name;
+  if (lives.size() > 2)
+    title += fmt::format(" and {} others", lives.size() - 1);
+  return title;
+}
+
+}  // namespace
+
+Exit Run(const ViewCommand& command, Io& io) {
+  if (!HasPages()) {
+    io.err << "error: this plsc was built without npm, and has no pages\n";
+    return Exit::kBadInput;
+  }
+  if (!CanWrite(command.output, io)) return Exit::kBadInput;
+  const InterruptHandler handler;
+  const auto lives = LoadLives(command, io);
+  if (InterruptHandler::is_interrupted()) return Exit::kInterrupted;
+  if (!lives) return Exit::kBadInput;
+  const std::string page =
+      PageHtml(PageKind::kView, TitleOf(*lives), ViewJson(*lives));
+  if (const auto failure = WriteFile(command.output, page)) {
+    io.err << fmt::format("error: cannot write '{}': {}\n", command.output,
+                          *failure);
+    return Exit::kBadInput;
+  }
+  io.err << fmt::format("wrote {}\n", command.output);
+  return Exit::kFine;
+}
+
+}  // namespace plsc::cli

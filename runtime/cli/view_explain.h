@@ -1,0 +1,13 @@
+#pragma once
+
+// `plsc view --explain`: how genotypes become robots, as a page to point at.
+// The replays of `plsc view` are in view.cc.
+
+#include "runtime/cli/commands.h"
+
+namespace plsc::cli {
+
+/// Of a ViewCommand with `explain`: its inputs are genotypes.
+Exit Explain(const ViewCommand& command, Io& io);
+
+}  // namespace plsc::cli

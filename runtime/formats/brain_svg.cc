@@ -1,0 +1,265 @@
+#include "runtime/formats/brain_svg.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include "runtime/formats/brain_layout.h"
+#include "runtime/formats/history_view.h"
+#include "runtime/formats/svg_panels.h"
+#include "runtime/formats/svg_style.h"
+
+namespace plsc {
+
+namespace {
+
+constexpr int kRadius = 24;      // px, of a node
+constexpr int kSquare = 22;      // px, half the side of a module
+constexpr int kTextWidth = 190;  // px, right of the joints
+constexpr double kThin = 1.2;    // px, an edge of weight 0
+constexpr double kThick = 6.5;   // px, one of weight 1
+constexpr std::string_view kPositive = "#0072b2";  // Okabe and Ito's blue
+constexpr std::string_view kNegative = "#d55e00";  // and vermillion
+// Labels of more edges than this would lie upon each other.
+constexpr std::size_t kMostLabels = 24;
+
+constexpr const char* kStyle =
+    ".node{stroke-width:2.5} .weight{font-size:12px} .number{font-size:15px} "
+    ".part{font-size:13px} .kind{font-size:11px} "
+    ".numbers{font-size:12px;text-anchor:start;fill:#222}";
+
+std::string EdgeStyle(double weight) {
+  return fmt::format(R"(fill="none" stroke="{}" stroke-width="{:.2f}"{})",
+                     weight < 0 ? kNegative : kPositive,
+                     kThin + (kThick - kThin) * std::min(std::abs(weight), 1.0),
+                     weight < 0 ? R"( stroke-dasharray="9 6")" : "");
+}
+
+std::string Weight(double weight) {
+  return fmt::format("{:+.2f}", weight);
+}
+
+// On a white ground, so that the line that it is on does not strike it out.
+std::string WeightLabel(double x, double y, double weight) {
+  return fmt::format(
+      R"(<rect x="{:.1f}" y="{:.1f}" width="38" height="15" fill="#fff" )"
+      R"(fill-opacity="0.85"/><text x="{:.1f}" y="{:.1f}" )"
+      R"(class="weight">{}</text>)"
+      "\n",
+      x - 19, y - 7.5, x, y + 4.5, Weight(weight));
+}
+
+// Its tip at (x, y), the way it points in unit steps.
+std::string ArrowHead(double x, double y, double dx, double dy,
+                      std::string_view colour) {
+  constexpr double kLength = 13;  // px
+  constexpr double kHalf = 6;     // px
+  return fmt::format(
+      R"(<polygon points="{:.1f},{:.1f} {:.1f},{:.1f} {:.1f},{:.1f}" )"
+      R"(fill="{}"/>)",
+      x, y, x - kLength * dx - kHalf * dy, y - kLength * dy + kHalf * dx,
+      x - kLength * dx + kHalf * dy, y - kLength * dy - kHalf * dx, colour);
+}
+
+class BrainDrawing {
+ public:
+  BrainDrawing(const Phenotype& robot, int row_height)
+      : robot_(robot), layout_(LayOutBrain(robot.brain, row_height)) {}
+
+  std::string Shapes() const {
+    std::string svg;
+    const auto& edges = robot_.brain.connections;
+    const bool has_labels = edges.size() <= kMostLabels;
+    for (const Connection& edge : edges)
+      svg += edge.source == edge.destination ? LoopShape(edge, has_labels)
+                                             : EdgeShape(edge, has_labels);
+    for (std::size_t i = 0; i < robot_.brain.nodes.size(); ++i)
+      svg += NodeShape(static_cast<int>(i));
+    if (robot_.brain.nodes.empty())
+      svg += R"(<text x="400" y="5" class="number">no sensor, no joint: )"
+             "no brain</text>\n";
+    return svg;
+  }
+  int height() const { return layout_.height; }
+  /// px, the left end of what is drawn.
+  int left() const {
+    const bool has_input = std::any_of(
+        robot_.brain.nodes.begin(), robot_.brain.nodes.end(),
+        [](const Node& node) { return node.type == NodeType::kInput; });
+    return has_input ? kSensorColumn - kSquare
+                     : kOscillatorColumn - kRadius - 20;
+  }
+
+ private:
+  const NodePlace& place(int node) const {
+    return layout_.places[static_cast<std::size_t>(node)];
+  }
+  std::string EdgeShape(const Connection& edge, bool has_label) const;
+  std::string LoopShape(const Connection& edge, bool has_label) const;
+  std::string NodeShape(int index) const;
+
+  const Phenotype& robot_;
+  BrainLayout layout_;
+};
+
+std::string BrainDrawing::EdgeShape(const Connection& edge,
+                                    bool has_label) const {
+  const NodePlace& from = place(edge.source);
+  const NodePlace& to = place(edge.destination);
+  const double x0 = from.x + kRadius;
+  const double x1 = to.x - kRadius;
+  const double bend = (x1 - x0) * 0.45;
+  std::string svg = fmt::format(
+      R"(<path d="M {:.1f} {} C {:.1f} {} {:.1f} {} {:.1f} {}" {}>)"
+      "<title>{} {}</title></path>{}\n",
+      x0, from.y, x0 + bend, from.y, x1 - bend - 8, to.y, x1 - 8, to.y,
+      EdgeStyle(edge.weight), EdgeName(edge), Weight(edge.weight),
+      ArrowHead(x1, to.y, 1, 0, edge.weight < 0 ? kNegative : kPositive));
+  if (!has_label) return svg;
+  // On the curve; edges of one input part, so by their ends' order further
+  // from it.
+  const double t = 0.35 + 0.3 * from.share;
+  const double u = 1 - t;
+  const double x = u * u * u * x0 + 3 * u * u * t * (x0 + bend) +
+                   3 * u * t * t * (x1 - bend) + t * t * t * x1;
+  const double y =
+      (u * u * u + 3 * u * u * t) * from.y + (3 * u * t * t + t * t * t) * to.y;
+  return svg + WeightLabel(x, y, edge.weight);
+}
+
+std::string BrainDrawing::LoopShape(const Connection& edge,
+                                    bool has_label) const {
+  const NodePlace& at = place(edge.source);
+  constexpr double kOut = 26;   // px, to each side
+  constexpr double kHigh = 46;  // px, of the curve's control points
+  const double top = at.y - kRadius;
+  std::string svg =
+      fmt::format(R"(<path d="M {} {:.1f} C {} {:.1f} {} {:.1f} {} {:.1f}" {}>)"
+                  "<title>{} {}</title></path>{}\n",
+                  at.x - 10, top + 3, at.x - kOut, top - kHigh, at.x + kOut,
+                  top - kHigh, at.x + 12, top - 6, EdgeStyle(edge.weight),
+                  EdgeName(edge), Weight(edge.weight),
+                  ArrowHead(at.x + 9, top + 3, -0.3, 0.95,
+                            edge.weight < 0 ? kNegative : kPositive));
+  if (has_label) svg += WeightLabel(at.x + 40, top - 22, edge.weight);
+  return svg;
+}
+
+std::string BrainDrawing::NodeShape(int index) const {
+  const Node& node = robot_.brain.nodes[static_cast<std::size_t>(index)];
+  const NodePlace& at = place(index);
+  const Module& module =
+      robot_.body.modules[static_cast<std::size_t>(node.module)];
+  const bool is_input = node.type == NodeType::kInput;
+  const std::string_view colour = ModuleColour(module.type);
+  const int part_x = is_input ? kSensorColumn : kJointColumn;
+  const int from = is_input ? part_x + kSquare : at.x + kRadius;
+  const int to = is_input ? at.x - kRadius : part_x - kSquare;
+  std::string svg =
+      fmt::format(R"(<line x1="{}" y1="{}" x2="{}" y2="{}" stroke="#777" )"
+                  R"(stroke-width="2"/>{})"
+                  "\n",
+                  from, at.y, to - 8, at.y, ArrowHead(to, at.y, 1, 0, "#777"));
+  auto out = std::back_inserter(svg);
+  fmt::format_to(out,
+                 R"(<rect x="{}" y="{}" width="{}" height="{}" fill="{}" )"
+                 R"(stroke="#000"/><text x="{}" y="{}" class="part">{}</text>)"
+                 R"(<text x="{}" y="{}" class="kind">{}</text>)"
+                 "\n",
+                 part_x - kSquare, at.y - kSquare, 2 * kSquare, 2 * kSquare,
+                 colour, part_x, at.y + 2, ModuleName(module.type), part_x,
+                 at.y + 16, ModuleId(robot_.body, node.module));
+  fmt::format_to(out,
+                 R"(<circle cx="{}" cy="{}" r="{}" fill="#fff" stroke="{}" )"
+                 R"(class="node"><title>{}</title></circle>)"
+                 R"(<text x="{}" y="{}" class="number">{}</text>)"
+                 "\n",
+                 at.x, at.y, kRadius, colour, NodeName(index), at.x, at.y + 5,
+                 index + 1);
+  if (!is_input)
+    fmt::format_to(
+        out,
+        R"(<text x="{0}" y="{1}" class="numbers">amplitude {3:.2f}, )"
+        R"(period {4:.2f} s</text><text x="{0}" y="{2}" )"
+        R"(class="numbers">phase offset {5:.2f}, w {6:+.2f}</text>)"
+        "\n",
+        part_x + kSquare + 8, at.y - 4, at.y + 13, node.amplitude, node.period,
+        node.phase_offset, node.weight);
+  return svg;
+}
+
+std::string CircleIcon(ModuleType type) {
+  return fmt::format(
+      R"(<circle r="13" fill="#fff" stroke="{}" stroke-width="2.5"/>)",
+      ModuleColour(type));
+}
+
+std::string LineIcon(double weight) {
+  return fmt::format(R"(<line x1="-15" y1="0" x2="15" y2="0" {}/>)",
+                     EdgeStyle(weight));
+}
+
+std::vector<LegendEntry> LegendOf(const std::vector<DrawnBrain>& brains) {
+  bool has_input = false;
+  bool has_oscillator = false;
+  bool has_edge = false;
+  for (const DrawnBrain& drawn : brains) {
+    for (const Node& node : drawn.phenotype.brain.nodes)
+      (node.type == NodeType::kInput ? has_input : has_oscillator) = true;
+    has_edge |= !drawn.phenotype.brain.connections.empty();
+  }
+  std::vector<LegendEntry> legend;
+  if (has_input)
+    legend.push_back(
+        {CircleIcon(ModuleType::kTouchSensor), "input of a touch sensor"});
+  if (has_oscillator)
+    legend.push_back({CircleIcon(ModuleType::kVerticalJoint),
+                      "oscillator that drives a joint"});
+  if (has_edge) {
+    legend.push_back({LineIcon(0.6), "positive weight"});
+    legend.push_back({LineIcon(-0.6), "negative weight"});
+    legend.push_back({"", "(thicker: further from 0)"});
+  }
+  legend.push_back(
+      {"", fmt::format("not drawn: the {} inputs of the core's IMU, which "
+                       "have no edges",
+                       kImuInputs)});
+  return legend;
+}
+
+}  // namespace
+
+std::string BrainsSvg(const std::string& title,
+                      const std::vector<DrawnBrain>& brains) {
+  const bool has_loop =
+      std::any_of(brains.begin(), brains.end(), [](const DrawnBrain& drawn) {
+        const auto& edges = drawn.phenotype.brain.connections;
+        return std::any_of(edges.begin(), edges.end(), [](const auto& edge) {
+          return edge.source == edge.destination;
+        });
+      });
+  const int row_height = has_loop ? kLoopRowHeight : kRowHeight;
+  std::vector<Panel> panels;
+  int height = 0;
+  for (const DrawnBrain& drawn : brains) {
+    const BrainDrawing drawing(drawn.phenotype, row_height);
+    height = std::max(height, drawing.height());
+    Panel panel;
+    panel.title = drawn.name;
+    panel.subtitle = drawn.senses;
+    panel.svg = drawing.Shapes();
+    panel.left = drawing.left();
+    panel.width = kJointColumn + kSquare + kTextWidth - panel.left;
+    panels.push_back(std::move(panel));
+  }
+  for (Panel& panel : panels) {
+    // A loop of the first row rises above it.
+    panel.top = -row_height / 2 - (has_loop ? 20 : 0);
+    panel.height = height + (has_loop ? 20 : 0);
+  }
+  return PanelsSvg(title, panels, LegendOf(brains), kStyle);
+}
+
+}  // namespace plsc

@@ -1,0 +1,25 @@
+#pragma once
+
+// The brains of one genotype in several environments as one picture: sensors,
+// their inputs, the oscillators, the joints that these drive, from left to
+// right. In each column the nodes are in the order of their modules.
+
+#include <string>
+#include <vector>
+
+#include "sim/phenotype.h"
+
+namespace plsc {
+
+struct DrawnBrain {
+  std::string name;    ///< of the environment
+  std::string senses;  ///< what is sensed there; may be empty
+  Phenotype phenotype;
+};
+
+/// A complete SVG file. An edge's width is its weight's size, its colour and
+/// dashes are its sign.
+std::string BrainsSvg(const std::string& title,
+                      const std::vector<DrawnBrain>& brains);
+
+}  // namespace plsc

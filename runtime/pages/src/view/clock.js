@@ -1,0 +1,49 @@
+// The time of the lives, in s since their start, and how it passes.
+
+// s. After a pause of the browser (another tab) time goes on from where it was.
+const longestFrame = 0.1;
+
+export class Clock {
+  constructor(end) {
+    this.end = end;
+    this.time = 0;
+    this.speed = 1;
+    this.isPlaying = false;
+    this.listeners = [];
+  }
+
+  onChange(listener) {
+    this.listeners.push(listener);
+  }
+
+  #tell() {
+    for (const listener of this.listeners) listener(this);
+  }
+
+  go(time) {
+    this.time = Math.min(Math.max(time, 0), this.end);
+    this.#tell();
+  }
+
+  play(isPlaying = true) {
+    this.isPlaying = isPlaying;
+    if (isPlaying && this.time >= this.end) this.time = 0;
+    this.#tell();
+  }
+
+  setSpeed(speed) {
+    this.speed = speed;
+    this.#tell();
+  }
+
+  // `seconds` on the wall.
+  pass(seconds) {
+    if (!this.isPlaying) return;
+    this.time += Math.min(seconds, longestFrame) * this.speed;
+    if (this.time >= this.end) {
+      this.time = this.end;
+      this.isPlaying = false;
+    }
+    this.#tell();
+  }
+}

@@ -1,0 +1,25 @@
+// A module looks as it does in the drawings (runtime/formats/svg_style).
+export const moduleColours = {
+  C: "#ffe135",
+  B: "#5b8ff9",
+  A1: "#d7263d",
+  A2: "#ff9f9f",
+  T: "#2ca02c",
+};
+// Of a sensor that touches something, in the scene and in the plots.
+export const touchColour = "#7b2cff";
+
+export const moduleNames = {
+  C: "core",
+  B: "brick",
+  A1: "vertical joint",
+  A2: "horizontal joint",
+  T: "touch sensor",
+};
+
+// Servos are dark in any joint, so that one sees what turns against what.
+export const servoColour = "#4a4f57";
+
+export const sky = "#e8edf3";
+export const pathColour = "#0072b2";
+export const newColour = "#ff7a00";
