@@ -183,8 +183,8 @@ Command ParseArguments(const std::vector<std::string>& arguments) {
   commands.Add(study, AddStudyList);
   commands.Add(study, AddStudyRun);
   commands.Add(study, AddStudyStatus);
-  commands.Add(app, AddReport);
   commands.Add(app, AddView);
+  commands.Add(app, AddReport);
   commands.Add(app, AddWhy);
   commands.Add(app, AddTest);
   commands.Add(app, AddRandom);

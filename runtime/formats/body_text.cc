@@ -152,7 +152,9 @@ class Plan {
 }  // namespace
 
 std::string BodyText(const Body& body) {
-  return BodyText(body, body);
+  CellExtent extent;
+  extent.Include(body);
+  return BodyText(body, body, extent);
 }
 
 std::string BodyText(const Body& body, const Body& reference,
