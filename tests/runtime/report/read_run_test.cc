@@ -44,7 +44,7 @@ TEST_CASE("A run is read with its state, wherever it stands", "[read_run]") {
 TEST_CASE("A run is read while it is written", "[read_run]") {
   const test::Scratch scratch;
   const std::string path = scratch / "run";
-  const Recorder recorder = test::RecordRun(test::StoredExperiment());
+  const test::Recorder recorder = test::RecordRun(test::StoredExperiment());
   RunStore store;
   REQUIRE_FALSE(store.Create(path, test::StoredExperiment()));
   REQUIRE(test::Show(recorder, store, 0, 2).empty());

@@ -24,7 +24,8 @@ TEST_CASE("The paper's measures have its names and units",
 TEST_CASE("All measures are every descriptor of a store, and the fitness",
           "[report_measures]") {
   std::set<std::string> ids;
-  for (const ReportMeasure& measure : *ChooseMeasures("all"))
+  const auto all = *ChooseMeasures("all");
+  for (const ReportMeasure& measure : all)
     CHECK(ids.insert(measure.id).second);
   std::size_t columns = 1;
   for (const auto& names : {BodyColumns(), BrainColumns(), BehaviourColumns()})

@@ -54,7 +54,8 @@ TEST_CASE("A portrait has every season, its body and its speed", "[robots]") {
 
 TEST_CASE("Rules say in which seasons their clause held", "[robots]") {
   PlasticRun run;
-  for (const int id : *run.store.EvaluatedIds()) {
+  const std::vector<int> ids = *run.store.EvaluatedIds();
+  for (const int id : ids) {
     CAPTURE(id);
     const Individual one = *run.store.Find(id);
     const Portrait portrait = *PortraitOf(run.store, id);
