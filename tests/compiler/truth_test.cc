@@ -118,8 +118,9 @@ TEST_CASE("Tables of every shape agree with the clause", "[truth]") {
     for (std::size_t s = 0; s < states.size(); ++s)
       for (int value = 0; value < shape[s]; ++value) {
         if (!all.terms.empty())
-          all.connectives.push_back((value + s) % 3 == 0 ? Connective::kAnd
-                                                         : Connective::kOr);
+          all.connectives.push_back(
+              (static_cast<std::size_t>(value) + s) % 3 == 0 ? Connective::kAnd
+                                                             : Connective::kOr);
         all.terms.push_back(
             {static_cast<StateId>(s),
              value % 2 == 0 ? Comparison::kEqual : Comparison::kNotEqual,
