@@ -25,8 +25,7 @@ TEST_CASE("All measures are every descriptor of a store, and the fitness",
           "[report_measures]") {
   std::set<std::string> ids;
   const auto all = *ChooseMeasures("all");
-  for (const ReportMeasure& measure : all)
-    CHECK(ids.insert(measure.id).second);
+  for (const ReportMeasure& measure : all) CHECK(ids.insert(measure.id).second);
   std::size_t columns = 1;
   for (const auto& names : {BodyColumns(), BrainColumns(), BehaviourColumns()})
     for (const std::string& name : names) {
