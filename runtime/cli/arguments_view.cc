@@ -17,10 +17,30 @@ CLI::App* AddView(CLI::App& app, ViewCommand& command) {
   sub->add_option("-o,--output", command.output, "the page to write, HTML")
       ->required()
       ->option_text("FILE");
-  sub->add_option("--scenario", command.scenario,
-                  "YAML file with the seasons and the physics for genotypes "
-                  "(default: the paper's, 50 s Flat then 50 s Tilted)")
-      ->option_text("FILE");
+  CLI::Option* scenario =
+      sub->add_option(
+             "--scenario", command.scenario,
+             "YAML file with the seasons and the physics for genotypes "
+             "(default: the paper's, 50 s Flat then 50 s Tilted)")
+          ->option_text("FILE");
+  CLI::Option* explain = sub->add_flag("--explain", command.explain,
+                                       "instead of a replay, the page of how "
+                                       "the robot developed: which rules "
+                                       "are active, each rewriting, what each "
+                                       "symbol did; of genotypes and "
+                                       "runs")
+                             ->excludes(scenario);
+  sub->add_option("--env", command.environments,
+                  "with --explain: what the robot senses, STATE=VALUE,... or "
+                  "the name of an environment of the file, of a season of the "
+                  "run; may be repeated (default: all of them)")
+      ->option_text("ENVIRONMENT")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+      ->needs(explain);
+  sub->add_flag("--allow-range", command.allow_range,
+                "with --explain: arguments outside their range are warnings")
+      ->needs(explain);
   sub->footer(
       "Writes one HTML file that opens from disk in any browser, without "
       "network: all\nlives side by side on one clock, to play, scrub and turn "
@@ -32,7 +52,10 @@ CLI::App* AddView(CLI::App& app, ViewCommand& command) {
       "  plsc view gecko.rec.json snake.rec.json -o both.html\n"
       "  plsc view examples/gecko.pls --scenario examples/life.yaml -o "
       "life.html\n"
-      "  plsc view run1.sqlite best 17 -o run1.html");
+      "  plsc view run1.sqlite best 17 -o run1.html\n"
+      "  plsc view --explain examples/climber.pls --env flat --env tilted -o "
+      "climber.html\n"
+      "  plsc view --explain run1.sqlite best -o best.html");
   return sub;
 }
 

@@ -2,11 +2,13 @@
 
 #include <map>
 #include <ostream>
+#include <set>
 
 #include "compiler/print.h"
 #include "runtime/cli/commands.h"
 #include "runtime/cli/open_run.h"
 #include "runtime/cli/png.h"
+#include "runtime/cli/recorded_life.h"
 #include "runtime/cli/robot_source.h"
 #include "runtime/formats/bodies_svg.h"
 #include "runtime/formats/body_text.h"
@@ -89,6 +91,27 @@ std::string MakersText(const DrawnBody& drawn,
   return text;
 }
 
+// What the lines of the boxes mean, as far as there are such boxes.
+std::string DifferenceText(const std::vector<DrawnBody>& bodies) {
+  std::set<ModuleMark> marks;
+  bool has_missing = false;
+  for (const DrawnBody& drawn : bodies) {
+    const BodyDifference difference =
+        CompareBodies(bodies.front().body, drawn.body);
+    marks.insert(difference.marks.begin(), difference.marks.end());
+    has_missing |= !difference.missing.empty();
+  }
+  std::vector<std::string> parts;
+  const std::string& first = bodies.front().name;
+  if (marks.contains(ModuleMark::kNew))
+    parts.push_back("━ not there in " + first);
+  if (marks.contains(ModuleMark::kOther))
+    parts.push_back("═ another module than in " + first);
+  if (has_missing) parts.push_back("╌ t there in " + first + " only");
+  if (parts.empty()) return "";
+  return fmt::format("\n{}\n", fmt::join(parts, ", "));
+}
+
 std::string TerminalText(const DrawCommand& command, const RobotFound& robot,
                          const Grown& grown, std::size_t columns) {
   const std::vector<std::string> rule_texts = RuleTexts(robot.loaded);
@@ -107,7 +130,8 @@ std::string TerminalText(const DrawCommand& command, const RobotFound& robot,
       text += MakersText(drawn, rule_texts);
     blocks.push_back(std::move(text));
   }
-  return robot.title + "\n\n" + SideBySide(blocks, columns);
+  return robot.title + "\n\n" + SideBySide(blocks, columns) +
+         (command.brain ? std::string() : DifferenceText(grown.bodies));
 }
 
 Exit WritePicture(const DrawCommand& command, const std::string& svg, Io& io) {
@@ -127,6 +151,7 @@ Exit WritePicture(const DrawCommand& command, const std::string& svg, Io& io) {
 }  // namespace
 
 Exit Run(const DrawCommand& command, Io& io) {
+  if (!CanWrite(command.output, io)) return Exit::kBadInput;
   const auto found = FindRobot({command.file, command.individual,
                                 command.environments, command.allow_range},
                                io);

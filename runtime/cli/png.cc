@@ -7,6 +7,28 @@
 #include <cstddef>
 #include <memory>
 
+#if defined(__has_feature)
+#if __has_feature(address_sanitizer)
+#define PLSC_ASAN  // clang's way to say it
+#endif
+#elif defined(__SANITIZE_ADDRESS__)
+#define PLSC_ASAN
+#endif
+#ifdef PLSC_ASAN
+// Fontconfig keeps what it read of fonts until the process ends, in a thread of
+// its own, which is no leak of ours. The sanitizer asks these.
+// NOLINTBEGIN
+extern "C" const char* __lsan_default_suppressions();
+extern "C" const char* __lsan_default_suppressions() {
+  return "leak:libfontconfig\n";
+}
+extern "C" const char* __lsan_default_options();
+extern "C" const char* __lsan_default_options() {
+  return "print_suppressions=0";
+}
+// NOLINTEND
+#endif
+
 namespace plsc::cli {
 
 namespace {

@@ -1,10 +1,12 @@
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <ostream>
 
 #include "runtime/cli/commands.h"
 #include "runtime/cli/interrupt.h"
 #include "runtime/cli/recorded_life.h"
+#include "runtime/cli/view_explain.h"
 #include "runtime/cli/view_lives.h"
 #include "runtime/formats/view_json.h"
 #include "runtime/pages/page.h"
@@ -22,14 +24,28 @@ std::string TitleOf(const std::vector<ViewedLife>& lives) {
   return title;
 }
 
+/// A slip of the keyboard must not cost a recording.
+bool SparesInputs(const ViewCommand& command, Io& io) {
+  for (const std::string& input : command.inputs) {
+    std::error_code error;
+    if (!std::filesystem::equivalent(input, command.output, error)) continue;
+    io.err << fmt::format("error: the page would replace its input '{}'\n",
+                          input);
+    return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 Exit Run(const ViewCommand& command, Io& io) {
+  if (command.explain) return Explain(command, io);
   if (!HasPages()) {
     io.err << "error: this plsc was built without npm, and has no pages\n";
     return Exit::kBadInput;
   }
-  if (!CanWrite(command.output, io)) return Exit::kBadInput;
+  if (!CanWrite(command.output, io) || !SparesInputs(command, io))
+    return Exit::kBadInput;
   const InterruptHandler handler;
   const auto lives = LoadLives(command, io);
   if (InterruptHandler::is_interrupted()) return Exit::kInterrupted;

@@ -56,14 +56,15 @@ std::string SquareShape(const Module& module, const ModulePaint& paint) {
   return svg;
 }
 
-std::string DotShape(const Module& module) {
+// Ringed in white, it is seen on an outline.
+std::string DotShape(const Module& module, bool is_ringed) {
   if (module.parent == kNoModule) return "";
   const Point centre = CentreOf(module);
   const Point back = Ahead(Opposite(module.facing));
-  return fmt::format(R"(<circle cx="{}" cy="{}" r="{}"/>)"
+  return fmt::format(R"(<circle cx="{}" cy="{}" r="{}"{}/>)"
                      "\n",
-                     centre.x + back.x * kHalf, centre.y + back.y * kHalf,
-                     kDot);
+                     centre.x + back.x * kHalf, centre.y + back.y * kHalf, kDot,
+                     is_ringed ? R"( stroke="#fff" stroke-width="2")" : "");
 }
 
 struct Bar {
@@ -97,7 +98,7 @@ bool IsSensor(const Module& module) {
 
 // Dashed lines lie on a white one, so that they are seen on any colour.
 std::string OutlineShape(const Bar& bar, ModuleMark mark) {
-  const std::string black = BarShape(
+  std::string black = BarShape(
       bar,
       std::string(R"(fill="none" stroke="#000" )"
                   R"(stroke-width="6" class="mark")") +
@@ -147,7 +148,7 @@ std::string BodyShapes(const Body& body, const std::vector<ModulePaint>& paints,
   svg += outlines;
   // Dots lie on borders and sensors inside cells, so squares come first.
   for (const Module& module : body.modules)
-    if (!IsSensor(module)) svg += DotShape(module);
+    if (!IsSensor(module)) svg += DotShape(module, !outlines.empty());
   for (std::size_t i = 0; i < body.modules.size(); ++i)
     if (IsSensor(body.modules[i]))
       svg +=

@@ -52,6 +52,7 @@ std::string RowText(const std::vector<Block>& blocks, std::size_t begin,
 std::string SideBySide(const std::vector<std::string>& texts,
                        std::size_t columns) {
   std::vector<Block> blocks;
+  blocks.reserve(texts.size());
   for (const std::string& text : texts) blocks.push_back(SplitLines(text));
   std::string all;
   for (std::size_t begin = 0; begin < blocks.size();) {

@@ -20,6 +20,7 @@ constexpr int kLegendLine = 36;        // px
 constexpr int kLegendSpace = 24;       // px, between entries
 constexpr std::size_t kMostInRow = 4;  // wider pictures do not fit pages
 constexpr int kMostTitleWidth = 420;   // px; longer ones are cut
+constexpr int kMostLegendWidth = 560;  // px; longer texts are cut
 constexpr int kLeastWidth = 360;       // px, of the picture: a legend fits in
 // px per letter and px of size. Wide fonts, such as DejaVu Sans, have means of
 // 0.55 to 0.6; too much only leaves space.
@@ -131,6 +132,10 @@ std::string PanelsSvg(const std::string& title,
   width = std::max(width,
                    std::min(TextWidth(title, kTitleSize), 2 * kMostTitleWidth) +
                        2 * kMargin);
+  for (const LegendEntry& entry : legend)
+    width = std::max(
+        width, std::min(TextWidth(entry.text, kLegendSize), kMostLegendWidth) +
+                   kLegendIcon + 8 + 2 * kMargin);
   std::string shapes;
   int y = kTitleHeight;
   for (const Row& row : rows) {

@@ -39,5 +39,29 @@ TEST_CASE("numbers of three digits fit the box", "[body_text]") {
   CHECK(BodyText(body).find("│A1123│") != std::string::npos);
 }
 
+TEST_CASE("what differs from another body has other lines", "[body_text]") {
+  // The reference: a brick left, a joint right, a sensor in front.
+  BodyTurtle reference(15, false);
+  reference.SetSlot(Slot::kLeft);
+  REQUIRE(reference.Mount(ModuleType::kBrick));
+  reference.SetSlot(Slot::kRight);
+  REQUIRE(reference.Mount(ModuleType::kHorizontalJoint));
+  reference.SetSlot(Slot::kFront);
+  REQUIRE(reference.Mount(ModuleType::kTouchSensor));
+  BodyTurtle turtle(15, false);
+  turtle.SetSlot(Slot::kRight);
+  REQUIRE(turtle.Mount(ModuleType::kBrick));
+  REQUIRE(turtle.Move(Slot::kRight) == Effect::kModuleReached);
+  turtle.SetSlot(Slot::kFront);
+  REQUIRE(turtle.Mount(ModuleType::kBrick));
+  CellExtent rows;
+  rows.front = 1;
+  CHECK(BodyText(turtle.body(), reference.body(), rows) ==
+        "\n\n\n"
+        "┌╌╌╌╌╌┐┌──t──┐╔═════╗┏━━━━━┓\n"
+        "╎     ╎│ C 1 │• B 2 ║• B 3 ┃\n"
+        "└╌╌╌╌╌┘└─────┘╚═════╝┗━━━━━┛\n");
+}
+
 }  // namespace
 }  // namespace plsc

@@ -1,14 +1,15 @@
 // Boxes of robots as geometry: rounded, in the colours of their modules, many
 // in one so that a link is drawn at once.
-import { BufferAttribute, BufferGeometry, Color, Matrix4, Quaternion, Vector3 } from "three";
+import { BufferAttribute, BufferGeometry, Matrix4, Quaternion, Vector3 } from "three";
 import { RoundedBoxGeometry } from "three/addons/geometries/RoundedBoxGeometry.js";
-import { mergeGeometries } from "three/addons/utils/BufferGeometryUtils.js";
+import { mergeGeometries, mergeVertices } from "three/addons/utils/BufferGeometryUtils.js";
+import { partsOf } from "./materials.js";
 
 // m, of edges; thin plates have less.
 const roundness = 0.0025;
 
-function paint(geometry, colour) {
-  const { r, g, b } = new Color(colour);
+export function paint(geometry, colour) {
+  const [r, g, b] = partsOf(colour);
   const count = geometry.getAttribute("position").count;
   const colours = new Float32Array(3 * count);
   for (let i = 0; i < count; ++i) colours.set([r, g, b], 3 * i);
@@ -24,7 +25,7 @@ export function boxGeometry(box, centre, colour) {
   const turn = new Quaternion(qx, qy, qz, qw).normalize();
   geometry.applyMatrix4(new Matrix4().compose(new Vector3(...centre), turn, new Vector3(1, 1, 1)));
   geometry.deleteAttribute("uv");
-  return paint(geometry.index ? geometry.toNonIndexed() : geometry, colour);
+  return paint(mergeVertices(geometry), colour);
 }
 
 // An arrow head on top of the core, at its front (+y): which way is ahead.
@@ -36,6 +37,7 @@ export function frontGeometry(core, centre) {
   const geometry = new BufferGeometry();
   geometry.setAttribute("position", new BufferAttribute(new Float32Array(corners), 3));
   geometry.setAttribute("normal", new BufferAttribute(new Float32Array([0, 0, 1, 0, 0, 1, 0, 0, 1]), 3));
+  geometry.setIndex([0, 1, 2]);
   return paint(geometry, "#5b4d00");
 }
 

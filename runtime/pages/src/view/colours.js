@@ -20,6 +20,8 @@ export const moduleNames = {
 // Servos are dark in any joint, so that one sees what turns against what.
 export const servoColour = "#4a4f57";
 
-export const sky = "#e8edf3";
+// Also the ground: it fades into the sky, and robots stand out from both.
+export const sky = "#f5f7fa";
+export const ghostColour = "#8a94a3";
 export const pathColour = "#0072b2";
 export const newColour = "#ff7a00";

@@ -1,6 +1,7 @@
 // Buttons and keys: the clock's below the picture, the cameras' beside them.
 import { element } from "../common/dom.js";
 import { views } from "./camera.js";
+import { icon } from "./icons.js";
 import { timeText } from "./words.js";
 
 const speeds = [0.1, 0.25, 0.5, 1, 2, 5, 10, 20];
@@ -18,7 +19,7 @@ export function clockControls(clock, jumpSeason) {
     clock.play(false);
     clock.go(clock.time + by);
   };
-  const button = (text, what, act) => element("button", { title: what, "aria-label": what, onclick: act }, text);
+  const button = (picture, what, act) => element("button", { title: what, "aria-label": what, onclick: act }, icon(picture));
   clock.onChange(() => {
     const text = clock.isPlaying ? "Pause" : "Play";
     if (play.textContent !== text) play.textContent = text;
@@ -30,10 +31,10 @@ export function clockControls(clock, jumpSeason) {
     "div",
     { class: "group", role: "group", "aria-label": "Time" },
     play,
-    button("⏮", "Season before", () => jumpSeason(-1)),
-    button("◂", "A frame back", () => step(-frame)),
-    button("▸", "A frame on", () => step(frame)),
-    button("⏭", "Next season", () => jumpSeason(1)),
+    button("before", "Season before", () => jumpSeason(-1)),
+    button("back", "A frame back", () => step(-frame)),
+    button("on", "A frame on", () => step(frame)),
+    button("next", "Next season", () => jumpSeason(1)),
     element("label", {}, "Speed ", speed),
     time,
   );

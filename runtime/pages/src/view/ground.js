@@ -1,69 +1,36 @@
-// The ground of a season: a plane without end with squares of 10 cm, tilted or
-// not, and what rises from it (runtime/formats/ground_json).
-import { BufferAttribute, BufferGeometry, CanvasTexture, Color, Group, InstancedMesh, Matrix4, Mesh } from "three";
-import { BoxGeometry, MeshBasicMaterial, MeshLambertMaterial, PlaneGeometry, RepeatWrapping, SRGBColorSpace } from "three";
-import { Vector3 } from "three";
+// The ground of a season: a plane without end, tilted or not, and what rises
+// from it (runtime/formats/ground_json). Each kind has
+//   object          to be put into the scene,
+//   normal          of the plane that shadows fall on,
+//   moveTo([x, y])  which a plane does with the robot, by whole metres,
+//   heightAt(x, y)  m,
+//   setRough(isRough)  drawn in less time, and less beautiful.
+import { BoxGeometry, BufferAttribute, BufferGeometry, Group, Mesh, PlaneGeometry, Vector3 } from "three";
+import { joined, paint } from "./boxes.js";
+import { hillMaterial, planeMaterial, solidMaterial } from "./materials.js";
+import { drapedLines, gridLines, squareMetre } from "./squares.js";
 import { readTrack } from "./tracks.js";
 
-// m; fog hides where it ends. Moves along with the robot by whole metres.
-const reach = 40;
-const squares = 10; // to a metre, as the legend says
-
-// A square metre of squares; `arrow` points uphill.
-function squareMetre(arrow) {
-  const side = 1000; // px
-  const canvas = document.createElement("canvas");
-  canvas.width = canvas.height = side;
-  const pen = canvas.getContext("2d");
-  pen.fillStyle = "#f8f9fb";
-  pen.fillRect(0, 0, side, side);
-  for (let i = 0; i <= squares; ++i) {
-    const isMetre = i % squares === 0;
-    pen.strokeStyle = isMetre ? "#8795a8" : i % 5 === 0 ? "#b3bdca" : "#d3dae3";
-    pen.lineWidth = isMetre ? 10 : 5;
-    const at = (i * side) / squares;
-    pen.beginPath();
-    pen.moveTo(at, 0);
-    pen.lineTo(at, side);
-    pen.moveTo(0, at);
-    pen.lineTo(side, at);
-    pen.stroke();
-  }
-  if (arrow) {
-    pen.strokeStyle = "#c9d1dc";
-    pen.lineWidth = 14;
-    for (const x of [250, 750])
-      for (const y of [250, 750]) {
-        pen.beginPath();
-        pen.moveTo(x - 30, y + 15);
-        pen.lineTo(x, y - 20);
-        pen.lineTo(x + 30, y + 15);
-        pen.stroke();
-      }
-  }
-  const texture = new CanvasTexture(canvas);
-  texture.wrapS = texture.wrapT = RepeatWrapping;
-  texture.colorSpace = SRGBColorSpace;
-  texture.anisotropy = 4;
-  return texture;
-}
-
-const textures = new Map();
-function textureOf(arrow) {
-  if (!textures.has(arrow)) textures.set(arrow, squareMetre(arrow));
-  return textures.get(arrow);
-}
+// m; it fades out before its end is seen.
+const reach = 60;
 
 class Plane {
-  constructor(tilt) {
+  constructor(tilt, fading) {
     this.tilt = tilt;
     this.normal = new Vector3(0, -Math.sin(tilt), Math.cos(tilt));
-    const geometry = new PlaneGeometry(reach, reach);
+    const geometry = paint(new PlaneGeometry(reach, reach), "#ffffff");
     const uv = geometry.getAttribute("uv");
     for (let i = 0; i < uv.count; ++i) uv.setXY(i, uv.getX(i) * reach, uv.getY(i) * reach);
-    const material = new MeshBasicMaterial({ map: textureOf(tilt !== 0) });
-    this.object = new Mesh(geometry, material);
+    this.fine = new Mesh(geometry, planeMaterial(squareMetre(tilt !== 0), fading));
+    this.rough = gridLines(fading, tilt !== 0);
+    this.object = new Group();
     this.object.rotation.x = tilt;
+    this.object.add(this.fine, this.rough);
+    this.setRough(false);
+  }
+  setRough(isRough) {
+    this.fine.visible = !isRough;
+    this.rough.visible = isRough;
   }
   moveTo([x, y]) {
     const along = Math.round(y / Math.cos(this.tilt));
@@ -75,30 +42,43 @@ class Plane {
 }
 
 class Hills {
-  constructor({ x, y, spacing, columns, rows, ...track }) {
+  constructor({ x, y, spacing, columns, rows, ...track }, fading) {
     Object.assign(this, { x, y, spacing, columns, rows });
     this.heights = readTrack({ ...track, rows }, columns);
     this.normal = new Vector3(0, 0, 1);
-    const geometry = new BufferGeometry();
+    const geometry = paint(this.#geometry(), "#f3f6fa");
+    this.fine = hillMaterial(squareMetre(false), fading);
+    this.rough = hillMaterial(null, fading);
+    this.mesh = new Mesh(geometry, this.fine);
+    const extent = { x, y, width: (columns - 1) * spacing, length: (rows - 1) * spacing };
+    this.lines = drapedLines(fading, extent, (...place) => this.heightAt(...place));
+    this.object = new Group();
+    this.object.add(this.mesh, this.lines);
+    this.setRough(false);
+  }
+  #geometry() {
+    const { x, y, spacing, columns, rows, heights } = this;
     const positions = new Float32Array(3 * columns * rows);
-    const uvs = new Float32Array(2 * columns * rows);
+    const places = new Float32Array(2 * columns * rows);
+    const corners = [];
     for (let row = 0, i = 0; row < rows; ++row)
       for (let column = 0; column < columns; ++column, ++i) {
         const place = [x + column * spacing, y + row * spacing];
-        positions.set([...place, this.heights[i]], 3 * i);
-        uvs.set(place, 2 * i);
+        positions.set([...place, heights[i]], 3 * i);
+        places.set(place, 2 * i);
+        if (row + 1 < rows && column + 1 < columns)
+          corners.push(i, i + 1, i + columns, i + 1, i + columns + 1, i + columns);
       }
-    const corners = [];
-    for (let row = 0; row + 1 < rows; ++row)
-      for (let column = 0; column + 1 < columns; ++column) {
-        const a = row * columns + column;
-        corners.push(a, a + 1, a + columns, a + 1, a + columns + 1, a + columns);
-      }
+    const geometry = new BufferGeometry();
     geometry.setAttribute("position", new BufferAttribute(positions, 3));
-    geometry.setAttribute("uv", new BufferAttribute(uvs, 2));
+    geometry.setAttribute("uv", new BufferAttribute(places, 2));
     geometry.setIndex(corners);
     geometry.computeVertexNormals();
-    this.object = new Mesh(geometry, new MeshLambertMaterial({ map: textureOf(false) }));
+    return geometry;
+  }
+  setRough(isRough) {
+    this.mesh.material = isRough ? this.rough : this.fine;
+    this.lines.visible = isRough;
   }
   moveTo() {}
   heightAt(x, y) {
@@ -114,25 +94,25 @@ class Hills {
 
 // m below the plane, where a box begins.
 const sunk = 0.01;
+// Neighbours are told apart, also steps that rise behind each other.
+const greys = ["#cfd8e3", "#bccad9", "#dbe1e9"];
 
 class Boxes {
-  constructor({ samples, ...track }) {
-    this.plane = new Plane(0);
+  constructor({ samples, ...track }, fading) {
+    this.plane = new Plane(0, fading);
     this.normal = this.plane.normal;
     const numbers = readTrack(track, samples);
     const row = (i) => numbers.subarray(i * samples, (i + 1) * samples);
     const [xs, ys, widths, lengths, tops] = [0, 1, 2, 3, 4].map(row);
     this.boxes = Array.from(tops, (top, i) => ({ x: xs[i], y: ys[i], width: widths[i], length: lengths[i], top }));
-    const mesh = new InstancedMesh(new BoxGeometry(1, 1, 1), new MeshLambertMaterial(), samples);
-    this.boxes.forEach(({ x, y, width, length, top }, i) => {
-      const matrix = new Matrix4().makeScale(width, length, top + sunk);
-      mesh.setMatrixAt(i, matrix.setPosition(x, y, (top - sunk) / 2));
-      // Neighbours are told apart, also where steps rise behind each other.
-      mesh.setColorAt(i, new Color(["#cfd8e3", "#bfcbd9", "#d9dfe7"][i % 3]));
-    });
-    mesh.frustumCulled = false;
+    const geometries = this.boxes.map(({ x, y, width, length, top }, i) =>
+      paint(new BoxGeometry(width, length, top + sunk).translate(x, y, (top - sunk) / 2), greys[i % greys.length]),
+    );
     this.object = new Group();
-    this.object.add(this.plane.object, mesh);
+    this.object.add(this.plane.object, new Mesh(joined(geometries), solidMaterial(fading)));
+  }
+  setRough(isRough) {
+    this.plane.setRough(isRough);
   }
   moveTo(place) {
     this.plane.moveTo(place);
@@ -146,9 +126,8 @@ class Boxes {
   }
 }
 
-// {object, normal, moveTo([x, y]), heightAt(x, y)}
-export function makeGround(terrain, relief) {
-  if (relief.heights) return new Hills(relief.heights);
-  if (relief.boxes?.samples > 0) return new Boxes(relief.boxes);
-  return new Plane(terrain.tilt ?? 0);
+export function makeGround(terrain, relief, fading) {
+  if (relief.heights) return new Hills(relief.heights, fading);
+  if (relief.boxes?.samples > 0) return new Boxes(relief.boxes, fading);
+  return new Plane(terrain.tilt ?? 0, fading);
 }

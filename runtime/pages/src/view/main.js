@@ -36,7 +36,7 @@ function legend() {
     { class: "legend", "aria-label": "Colours" },
     Object.entries(moduleNames).map(([type, name]) => item(moduleColours[type], name)),
     item(touchColour, "sensor that touches"),
-    element("li", { class: "quiet" }, "squares of 10 cm; the arrow on the core points ahead"),
+    element("li", { class: "quiet" }, "squares of 10 cm; the arrow on the core points ahead, arrows on the ground uphill"),
   );
 }
 
@@ -102,7 +102,7 @@ clock.play(wanted.has("t") ? wanted.has("play") : !isCalm);
 let last = performance.now();
 function tick(now) {
   clock.pass((now - last) / 1000);
-  if (stage?.draw() && clock.isPlaying) stage.judge(now - last);
+  if (stage?.draw(now) && clock.isPlaying) stage.judge(now - last);
   last = now;
   requestAnimationFrame(tick);
 }

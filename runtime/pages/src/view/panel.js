@@ -2,7 +2,7 @@
 // changed, and how it ended.
 import { element } from "../common/dom.js";
 import { seasonAt } from "./life.js";
-import { balanceText, bodyText, changeText, groundText, outcomeText, speedText } from "./words.js";
+import { balanceText, bodyText, changeText, groundBehind, outcomeText, speedText } from "./words.js";
 
 function set(node, text) {
   if (node.textContent !== text) node.textContent = text;
@@ -14,7 +14,8 @@ export class Panel {
     this.season = null;
     this.seasonName = element("strong");
     this.ground = element("span");
-    this.measures = element("div", { class: "measures" });
+    this.speed = element("div", { class: "measure" });
+    this.balance = element("div", { class: "measure" });
     this.change = element("div", { class: "change" });
     this.end = element("div", { class: "end", role: "status" });
     this.surface = element("div", { class: "surface" });
@@ -29,7 +30,7 @@ export class Panel {
         element("div", { class: "source" }, life.source),
         life.remark ? element("div", { class: "remark" }, life.remark) : null,
       ),
-      element("div", { class: "now" }, element("div", {}, this.seasonName, " ", this.ground), this.measures),
+      element("div", { class: "now" }, element("div", {}, this.seasonName, " ", this.ground), this.speed, this.balance),
       this.change,
       this.end,
     );
@@ -42,8 +43,9 @@ export class Panel {
     if (season !== this.season) {
       this.season = season;
       set(this.seasonName, season.name);
-      set(this.ground, groundText(season.terrain));
-      set(this.measures, `Speed ${speedText(season)} · Balance ${balanceText(season)}`);
+      set(this.ground, groundBehind(season));
+      set(this.speed, `Speed ${speedText(season)}`);
+      set(this.balance, `Balance ${balanceText(season)}`);
     }
     const isGone = time > this.life.end;
     const hasEnded = isGone || (season.outcome !== "completed" && age >= season.lived);

@@ -1,9 +1,11 @@
 // The way of a robot on the ground, as far as it has come.
-import { BufferAttribute, BufferGeometry, Line, LineBasicMaterial } from "three";
+import { BufferAttribute, BufferGeometry, Line } from "three";
+import { paint } from "./boxes.js";
 import { pathColour } from "./colours.js";
+import { flatMaterial } from "./materials.js";
 
 const above = 0.0015; // m, so that it is not hidden by the ground
-const material = new LineBasicMaterial({ color: pathColour });
+const material = flatMaterial();
 
 export function makePath(season, ground) {
   const [xs, ys] = season.centres;
@@ -11,6 +13,7 @@ export function makePath(season, ground) {
   xs.forEach((x, i) => points.set([x, ys[i], ground.heightAt(x, ys[i]) + above], 3 * i));
   const geometry = new BufferGeometry();
   geometry.setAttribute("position", new BufferAttribute(points, 3));
+  paint(geometry, pathColour);
   const line = new Line(geometry, material);
   line.frustumCulled = false; // seen or not changes with how much is drawn
   return line;

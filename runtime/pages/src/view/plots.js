@@ -82,9 +82,10 @@ export class Plots {
     this.range = rangeOf(this.rows);
     const degrees = Math.round((this.range * 180) / Math.PI);
     const joints = this.rows.filter((one) => !one.isTouch).length;
+    const none = season.motion.samples > 0 ? "no joints" : "not simulated";
     const touch = this.rows.length > joints ? "; touch sensors: high while they touch" : "";
     this.note.textContent =
-      this.rows.length > 0 ? `${season.name}: angles of joints, up to ±${degrees}°${touch}` : `${season.name}: no joints`;
+      this.rows.length > 0 ? `${season.name}: angles of joints, up to ±${degrees}°${touch}` : `${season.name}: ${none}`;
     this.canvas.setAttribute("aria-label", `Angles of ${joints} joints in ${season.name}`);
   }
 

@@ -1,30 +1,22 @@
 // A robot of one season in the scene: a group a link, moved to where the
 // recording has it. What is new since the season before glows at first, and
 // what is gone stays as a ghost.
-import { Color, EqualStencilFunc, Group, IncrementStencilOp, Mesh, MeshBasicMaterial } from "three";
-import { MeshLambertMaterial } from "three";
+import { Group, Mesh } from "three";
 import { boxGeometry, frontGeometry, joined } from "./boxes.js";
-import { moduleColours, newColour, servoColour, touchColour } from "./colours.js";
+import { moduleColours, ghostColour, newColour, servoColour } from "./colours.js";
+import { flatMaterial, ghostMaterial, setGlow, setOpacity, shadowMaterial, solidMaterial } from "./materials.js";
 import { between } from "./tracks.js";
 import { isSensor } from "./words.js";
 
 // s of life in which a change is shown.
 const changeShown = 4;
 
-const plain = new MeshLambertMaterial({ vertexColors: true });
-const touching = new MeshBasicMaterial({ color: touchColour });
-// Where shadows of several links meet, the ground is darkened once.
-const shadow = new MeshBasicMaterial({
-  color: "#1d2b40",
-  transparent: true,
-  opacity: 0.22,
-  depthTest: false,
-  depthWrite: false,
-  stencilWrite: true,
-  stencilRef: 0,
-  stencilFunc: EqualStencilFunc,
-  stencilZPass: IncrementStencilOp,
-});
+// m, of the core of a robot that was not simulated, which hovers at rest.
+export const unlivedHeight = 0.15;
+
+const plain = solidMaterial();
+const touching = flatMaterial();
+const shadow = shadowMaterial();
 
 function colourOf(body, box) {
   if (box.part === "servo") return servoColour;
@@ -38,8 +30,8 @@ export class Robot {
     this.shadow = new Group(); // draws over the ground, below all else
     this.shadow.matrixAutoUpdate = false;
     this.sensors = []; // meshes, in the order of the recording's touch track
-    this.fresh = plain.clone();
-    this.ghost = new MeshLambertMaterial({ color: "#8a94a3", transparent: true, depthWrite: false });
+    this.fresh = solidMaterial();
+    this.ghost = ghostMaterial();
     this.links = season.body.links.map((link, i) => this.#addLink(link, i, change));
     this.#addGhosts(change.gone);
   }
@@ -77,7 +69,7 @@ export class Robot {
     if (gone.length === 0) return;
     const rest = this.season.body.links[0].rest;
     const geometries = gone.map(({ box, centre }) =>
-      boxGeometry(box, centre.map((part, axis) => part - rest[axis]), "#ffffff"),
+      boxGeometry(box, centre.map((part, axis) => part - rest[axis]), ghostColour),
     );
     this.ghosts = this.#addMesh(this.links[0], joined(geometries), this.ghost);
   }
@@ -87,7 +79,8 @@ export class Robot {
     const { motion } = this.season;
     this.links.forEach((link, i) => {
       if (!place) {
-        link.position.set(...this.season.body.links[i].rest);
+        const [x, y, z] = this.season.body.links[i].rest;
+        link.position.set(x, y, z + unlivedHeight);
         return;
       }
       const at = (row) => between(motion.position, motion.samples, 3 * i + row, place);
@@ -100,8 +93,8 @@ export class Robot {
       mesh.material = feels ? touching : plain;
     });
     const left = Math.max(0, 1 - age / changeShown);
-    this.fresh.emissive.copy(new Color(newColour)).multiplyScalar(left);
-    this.ghost.opacity = 0.5 * left;
+    setGlow(this.fresh, newColour, 0.6 * left);
+    setOpacity(this.ghost, 0.5 * left);
     if (this.ghosts) this.ghosts.visible = left > 0;
   }
 

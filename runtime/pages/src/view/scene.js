@@ -1,13 +1,11 @@
 // One life in 3-D: the scene of each season, made when it is first seen.
-import { DirectionalLight, Fog, Group, HemisphereLight, Scene, Vector3 } from "three";
+import { Group, Scene, Vector3 } from "three";
 import { compareBodies, nothingChanged } from "./changes.js";
-import { sky } from "./colours.js";
 import { makeGround } from "./ground.js";
 import { followedAt, placeOf } from "./life.js";
+import { makeFading, setFading, toLight } from "./materials.js";
 import { makePath } from "./path.js";
-import { Robot } from "./robot.js";
-
-const toLight = new Vector3(-0.45, -0.35, 1).normalize();
+import { Robot, unlivedHeight } from "./robot.js";
 
 function changeOf(seasons, i) {
   const before = seasons[i - 1];
@@ -16,10 +14,10 @@ function changeOf(seasons, i) {
 }
 
 class SeasonScene {
-  constructor(seasons, i) {
+  constructor(seasons, i, fading) {
     this.season = seasons[i];
     this.object = new Group();
-    this.ground = makeGround(this.season.terrain, this.season.ground);
+    this.ground = makeGround(this.season.terrain, this.season.ground, fading);
     this.object.add(this.ground.object);
     if (this.season.body.links.length > 0) {
       this.robot = new Robot(this.season, changeOf(seasons, i));
@@ -32,7 +30,7 @@ class SeasonScene {
   // Gives where the robot is, m.
   pose(age) {
     const place = placeOf(this.season, age);
-    const at = place ? followedAt(this.season, place) : [0, 0, 0.1];
+    const at = place ? followedAt(this.season, place) : [0, 0, unlivedHeight];
     this.ground.moveTo(at);
     this.path.geometry.setDrawRange(0, place ? place.index + 1 : 0);
     if (!this.robot) return at;
@@ -58,10 +56,7 @@ export class LifeScene {
   constructor(life) {
     this.life = life;
     this.scene = new Scene();
-    this.scene.fog = new Fog(sky, 2, 12);
-    const sun = new DirectionalLight("#ffffff", 2.1);
-    sun.position.copy(toLight);
-    this.scene.add(new HemisphereLight("#ffffff", "#9aa5b5", 1.7), sun);
+    this.fading = makeFading();
     this.seasons = life.seasons.map(() => null);
     this.shown = null;
   }
@@ -69,7 +64,7 @@ export class LifeScene {
   // Gives where to look, m, and whether that is elsewhere than before.
   pose(season, age) {
     const i = this.life.seasons.indexOf(season);
-    this.seasons[i] ??= new SeasonScene(this.life.seasons, i);
+    this.seasons[i] ??= new SeasonScene(this.life.seasons, i, this.fading);
     const now = this.seasons[i];
     const isNew = now !== this.shown;
     if (isNew) {
@@ -80,9 +75,9 @@ export class LifeScene {
     return { target: now.pose(age), isNew };
   }
 
-  // Ground fades out some way behind what the camera looks at.
-  fade(distance) {
-    this.scene.fog.near = 1.5 + 2 * distance;
-    this.scene.fog.far = 5 + 5 * distance;
+  // Before it is drawn: `distance` in m from the camera to what it looks at.
+  prepare(distance, isRough) {
+    setFading(this.fading, 1 + 2 * distance, 4 + 5 * distance);
+    this.shown.ground.setRough(isRough);
   }
 }

@@ -1,17 +1,34 @@
 // The picture: one canvas behind all panels, each of which shows a life.
-import { Color, WebGLRenderer } from "three";
-import { sky } from "./colours.js";
+import { Color, LinearSRGBColorSpace, WebGLRenderer } from "three";
 import { FollowingCamera } from "./camera.js";
+import { sky } from "./colours.js";
 import { LifeScene, radiusOf } from "./scene.js";
 
-// ms. Frames that take longer than this on average are drawn with fewer pixels.
-const slow = 24;
-const judged = 40; // frames
+// Points of the picture a point of the page, each way: edges are smooth with
+// two. (WebGL's own way to smooth them cannot be switched off when it is slow.)
+const fineRatio = 2;
+const roughRatio = 1;
+// ms. Machines whose frames take longer on average draw roughly while anything
+// moves; 50 frames a second is what recordings have.
+const slow = 22;
+const judged = 12; // frames
+// ms without change after which a slow machine draws finely again.
+const settling = 250;
+
+const skyColour = new Color().setStyle(sky, LinearSRGBColorSpace);
+const borderColour = new Color().setStyle("#c3ccd8", LinearSRGBColorSpace);
 
 // Nothing where the browser has no WebGL. Asked for here, and not by three,
 // which would complain on the console.
 export function contextOf(canvas) {
-  return canvas.getContext("webgl2", { antialias: true, stencil: true, alpha: false, powerPreference: "high-performance" });
+  return canvas.getContext("webgl2", { antialias: false, stencil: true, alpha: false });
+}
+
+// Known by name, so that not even the first frames are slow.
+function hasNoCard(context) {
+  const names = context.getExtension("WEBGL_debug_renderer_info");
+  const name = names ? context.getParameter(names.UNMASKED_RENDERER_WEBGL) : "";
+  return /swiftshader|llvmpipe|software|basic render/i.test(name);
 }
 
 export class Stage {
@@ -20,81 +37,108 @@ export class Stage {
     this.canvas = canvas;
     this.surfaces = surfaces;
     this.renderer = new WebGLRenderer({ canvas, context });
-    this.renderer.setClearColor(new Color(sky));
+    this.renderer.outputColorSpace = LinearSRGBColorSpace; // materials.js does it
+    this.renderer.setClearColor(skyColour);
     this.renderer.setScissorTest(true);
-    this.ratio = Math.min(devicePixelRatio, 2);
+    this.isSlow = hasNoCard(context);
+    this.isRough = false; // of the picture that is shown
+    this.changedAt = -Infinity; // ms
     this.frames = [];
-    this.isStale = true;
     this.isLinked = true;
     // The same for all, so that sizes can be compared.
-    const distance = 3.1 * Math.max(...lives.map(radiusOf));
+    const distance = 2.8 * Math.max(...lives.map(radiusOf));
     this.scenes = lives.map((life) => new LifeScene(life));
     this.cameras = surfaces.map((surface) => new FollowingCamera(surface, distance, (camera) => this.#turned(camera)));
     new ResizeObserver(() => this.#resize()).observe(canvas.parentElement);
     this.#resize();
   }
 
-  #turned(camera) {
+  #change() {
     this.isStale = true;
+    this.changedAt = performance.now();
+  }
+
+  #turned(camera) {
+    this.#change();
     if (!this.isLinked) return;
     const offset = camera.offset();
     for (const other of this.cameras) if (other !== camera) other.setOffset(offset);
   }
 
   #resize() {
-    const { clientWidth, clientHeight } = this.canvas.parentElement;
-    this.renderer.setPixelRatio(this.ratio);
-    this.renderer.setSize(clientWidth, clientHeight, false);
-    const whole = this.canvas.getBoundingClientRect();
+    const whole = this.canvas.parentElement.getBoundingClientRect();
+    this.size = [whole.width, whole.height];
+    this.ratio = 0; // unlike any, so that it is set anew
     this.panes = this.surfaces.map((surface, i) => {
       const pane = surface.getBoundingClientRect();
       this.cameras[i].setAspect(pane.width / Math.max(pane.height, 1));
       return [pane.left - whole.left, whole.bottom - pane.bottom, pane.width, pane.height];
     });
-    this.isStale = true;
+    this.#change();
   }
 
   forEachCamera(change) {
     this.cameras.forEach(change);
-    this.isStale = true;
+    this.#change();
   }
 
   // Puts life `i` to `age` s of the season.
   pose(i, season, age) {
     const { target, isNew } = this.scenes[i].pose(season, age);
     this.cameras[i].follow(target, isNew);
-    this.isStale = true;
+    this.#change();
   }
 
-  // Draws if anything changed; gives whether it did.
-  draw() {
-    if (!this.isStale) return false;
+  // Draws if there is anything to draw; gives whether it did. `now` in ms.
+  draw(now) {
+    const isSettled = now - this.changedAt > settling;
+    if (!this.isStale && !(this.isRough && isSettled)) return false;
+    this.#drawAll(this.isSlow && !isSettled);
+    return true;
+  }
+
+  #drawAll(isRough) {
     this.isStale = false;
+    this.isRough = isRough;
+    const ratio = isRough ? roughRatio : fineRatio;
+    if (ratio !== this.ratio) {
+      this.ratio = ratio;
+      this.renderer.setPixelRatio(ratio);
+      this.renderer.setSize(...this.size, false);
+    }
+    this.#drawBorders();
     this.panes.forEach((pane, i) => {
       const camera = this.cameras[i];
-      this.scenes[i].fade(camera.offset().length());
+      this.scenes[i].prepare(camera.offset().length(), isRough);
       this.renderer.setViewport(...pane);
       this.renderer.setScissor(...pane);
       this.renderer.render(this.scenes[i].scene, camera.camera);
     });
-    return true;
   }
 
-  // Slow machines get fewer pixels, down to one a point of the page.
+  // Between panels, where no pane is.
+  #drawBorders() {
+    if (this.panes.length === 1) return;
+    this.renderer.setScissorTest(false);
+    this.renderer.setClearColor(borderColour);
+    this.renderer.clear();
+    this.renderer.setScissorTest(true);
+    this.renderer.setClearColor(skyColour);
+  }
+
+  // `milliseconds` since the last frame, while frames follow each other.
   judge(milliseconds) {
     this.frames.push(milliseconds);
     if (this.frames.length < judged) return;
-    const mean = this.frames.reduce((a, b) => a + b) / judged;
+    // The median: one frame that the browser was busy with tells nothing.
+    const median = this.frames.sort((a, b) => a - b)[judged / 2];
     this.frames = [];
-    if (mean < slow || this.ratio <= 1) return;
-    this.ratio = 1;
-    this.#resize();
+    this.isSlow ||= median > slow;
   }
 
   // What is shown now, for a file.
   picture() {
-    this.isStale = true;
-    this.draw();
+    this.#drawAll(false);
     return new Promise((resolve) => this.canvas.toBlob(resolve, "image/png"));
   }
 }

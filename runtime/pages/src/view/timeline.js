@@ -45,8 +45,10 @@ export function makeTimeline(lives, clock) {
   });
   const cursor = element("div", { class: "cursor" });
   clock.onChange(() => {
+    cursor.style.transform = `translateX(${(100 * clock.time) / clock.end}%)`;
+    // Moved when it can be seen to, for that has the browser paint it anew.
+    if (clock.isPlaying && Math.abs(bar.value - clock.time) < clock.end / 500) return;
     bar.value = clock.time;
-    cursor.style.left = `${(100 * clock.time) / clock.end}%`;
   });
   return element(
     "div",

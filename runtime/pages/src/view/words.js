@@ -39,9 +39,17 @@ export function groundText({ type, ...rest }) {
   }
 }
 
+// Behind the season's name, which is often the ground's.
+export function groundBehind(season) {
+  const text = groundText(season.terrain);
+  return text.startsWith(season.name) ? text.slice(season.name.length).replace(/^[: ]+/, "") : text;
+}
+
+const plain = (digits) => digits.replace("-", "−").replace(/^−([0.]+)$/, "$1");
+
 // cm/s, the paper's unit of Speed.
 export function speedText(season) {
-  return season.speed === null ? "–" : `${(season.speed * 100).toFixed(2)} cm/s`;
+  return season.speed === null ? "–" : `${plain((season.speed * 100).toFixed(2))} cm/s`;
 }
 
 export function balanceText(season) {

@@ -1,0 +1,99 @@
+#include "runtime/cli/view_explain.h"
+
+#include <fmt/format.h>
+
+#include <ostream>
+#include <utility>
+#include <variant>
+
+#include "runtime/cli/open_run.h"
+#include "runtime/cli/recorded_life.h"
+#include "runtime/cli/robot_source.h"
+#include "runtime/cli/view_lives.h"
+#include "runtime/formats/explain_json.h"
+#include "runtime/pages/page.h"
+
+namespace plsc::cli {
+
+namespace {
+
+/// Most symbols that a robot's rewritings may have together: a page of more
+/// elements answers slowly to the pointer. The paper's have hundreds.
+constexpr std::size_t kMostSymbols = 20000;
+
+std::variant<ExplainedRobot, Exit> ExplainOne(const RobotAsked& asked, Io& io) {
+  auto found = FindRobot(asked, io);
+  if (const Exit* failed = std::get_if<Exit>(&found)) return *failed;
+  RobotFound& robot = std::get<RobotFound>(found);
+  const Genotype& genotype = robot.loaded.mapped.program.genotype;
+  ExplainedRobot explained{
+      robot.title, robot.loaded.source, genotype, robot.loaded.mapped.map, {}};
+  std::size_t symbols = 0;
+  for (const NamedEnvironment& named : robot.environments) {
+    auto history = DevelopWithHistory(genotype, named.environment);
+    if (!history) {
+      ReportGrowth(robot.loaded, named, io);
+      return Exit::kBadInput;
+    }
+    for (const auto& step : history->derivation.steps) symbols += step.size();
+    if (symbols > kMostSymbols) {
+      io.err << fmt::format(
+          "error: the rewritings of {} have more than {} symbols, too many for "
+          "a page\n  = help: fewer environments (--env), or ask `plsc why`\n",
+          robot.title, kMostSymbols);
+      return Exit::kBadInput;
+    }
+    explained.environments.push_back({named.name,
+                                      SensesOf(named, genotype.states),
+                                      named.environment, std::move(*history)});
+  }
+  return explained;
+}
+
+/// One robot each.
+std::optional<std::vector<RobotAsked>> AskedOf(const ViewCommand& command,
+                                               Io& io) {
+  std::vector<RobotAsked> asked;
+  for (const ViewInput& input : SortInputs(command.inputs)) {
+    if (input.kind == ViewInputKind::kRecording) {
+      io.err << fmt::format(
+          "error: {} is a recording; --explain takes genotype files and "
+          "runs\n",
+          input.path);
+      return std::nullopt;
+    }
+    std::vector<std::string> robots = input.robots;
+    if (robots.empty())
+      robots.push_back(input.kind == ViewInputKind::kRun ? "best" : "");
+    for (const std::string& robot : robots)
+      asked.push_back(
+          {input.path, robot, command.environments, command.allow_range});
+  }
+  return asked;
+}
+
+}  // namespace
+
+Exit Explain(const ViewCommand& command, Io& io) {
+  if (!HasPages())
+    return Complain("this plsc was built without npm, and has no pages", io);
+  if (!CanWrite(command.output, io)) return Exit::kBadInput;
+  const auto asked = AskedOf(command, io);
+  if (!asked) return Exit::kBadInput;
+  std::vector<ExplainedRobot> robots;
+  for (const RobotAsked& one : *asked) {
+    auto robot = ExplainOne(one, io);
+    if (const Exit* failed = std::get_if<Exit>(&robot)) return *failed;
+    robots.push_back(std::move(std::get<ExplainedRobot>(robot)));
+  }
+  const std::string page =
+      PageHtml(PageKind::kExplain, robots.front().title + " explained",
+               ExplainJson(robots));
+  if (const auto failure = WriteFile(command.output, page))
+    return Complain(
+        fmt::format("cannot write '{}': {}", command.output, *failure), io);
+  io.err << fmt::format("wrote {}\n", command.output);
+  return Exit::kFine;
+}
+
+}  // namespace plsc::cli

@@ -1,0 +1,33 @@
+#include "runtime/formats/view_json.h"
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include "runtime/formats/recording_json.h"
+#include "tests/runtime/recorded.h"
+
+namespace plsc {
+namespace {
+
+using nlohmann::json;
+
+TEST_CASE("a view holds recordings as their files have them", "[view_json]") {
+  const Recording recording = test::SmallRecording();
+  const json view = json::parse(ViewJson(
+      {{"a.json", "", recording}, {"run, robot 2", "odd", recording}}));
+  CHECK(view["plsc_view"] == 1);
+  REQUIRE(view["lives"].size() == 2);
+  CHECK(view["lives"][0]["source"] == "a.json");
+  CHECK(view["lives"][1]["remark"] == "odd");
+  CHECK(view["lives"][1]["recording"] == json::parse(RecordingJson(recording)));
+  CHECK(view["lives"][0]["grounds"].size() == recording.seasons.size());
+}
+
+TEST_CASE("names of files may be any bytes", "[view_json]") {
+  const json view = json::parse(
+      ViewJson({{"</script>\"\xff\n", "", test::SmallRecording()}}));
+  CHECK(view["lives"][0]["source"] == "</script>\"\xef\xbf\xbd\n");
+}
+
+}  // namespace
+}  // namespace plsc
