@@ -36,8 +36,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Few speeds, the best of which many robots have: then populations drift, and do
-// not end as copies of one robot.
+// Few speeds, the best of which many robots have: then populations drift, and
+// do not end as copies of one robot.
 constexpr std::uint64_t kLevels = 4;
 
 /// As if simulated: numbers that follow from the phenotype.
