@@ -7,7 +7,7 @@ is run in one folder a document and its output compared.
 
 usage: readme_test.py PLSC REPOSITORY [--no-pages]
 
-With --no-pages, of a program that was built without npm, commands that make HTML
+With --no-pages, of a program built without npm, commands that make HTML
 pages are left out.
 """
 
