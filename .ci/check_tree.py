@@ -31,6 +31,7 @@ DOORS = {
     r"Random123/": r"runtime/evolve/rng\.cc",
     r"sqlite3\.h": r"runtime/store/database\.cc",
     r"xxhash\.h": r"runtime/key\.cc",
+    r"Rmath\.h": r"runtime/report/wilcoxon\.cc",
     r"mpi\.h": r"runtime/evolve/mpi_[a-z_]*\.cc",
 }
 INCLUDE = re.compile(r'^#include [<"]([^>"]+)[>"]', re.MULTILINE)

@@ -6,7 +6,7 @@
 PLSC_PACKAGES="g++ cmake ninja-build pkg-config gzip tao-pegtl-dev libfmt-dev \
 libeigen3-dev libode-dev catch2 libyaml-cpp-dev libcli11-dev \
 nlohmann-json3-dev librandom123-dev libsqlite3-dev libxxhash-dev \
-libopenmpi-dev openmpi-bin librsvg2-2 fonts-dejavu-core python3"
+libopenmpi-dev openmpi-bin librsvg2-2 fonts-dejavu-core r-mathlib python3"
 
 # Pages are bundled with npm, which a Node.js from elsewhere than Debian brings
 # itself.

@@ -136,6 +136,7 @@ Json CountsBy(const std::vector<RuleCount>& rules, std::string RuleUse::*name) {
     totals[one.rule.*name] += one.count;
   }
   std::vector<std::pair<int, std::string>> order;
+  order.reserve(totals.size());
   for (const auto& [text, total] : totals) order.emplace_back(-total, text);
   std::sort(order.begin(), order.end());
   if (order.size() > kMostClauses) order.resize(kMostClauses);

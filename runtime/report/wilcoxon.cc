@@ -27,6 +27,7 @@ Ranked Rank(const std::vector<double>& x, const std::vector<double>& y) {
     bool is_x;
   };
   std::vector<Value> all;
+  all.reserve(x.size() + y.size());
   for (const double value : x) all.push_back({value, true});
   for (const double value : y) all.push_back({value, false});
   std::sort(all.begin(), all.end(),

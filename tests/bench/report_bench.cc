@@ -36,13 +36,17 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// As if simulated: numbers that differ between phenotypes.
+// Few speeds, the best of which many robots have: then populations drift, and
+// do not end as copies of one robot.
+constexpr std::uint64_t kLevels = 4;
+
+/// As if simulated: numbers that follow from the phenotype.
 Simulated Stub(const Phenotype& robot, const Season& season) {
   Simulated stub;
   const Key key = KeyOf(BodyJson(robot.body) + BrainJson(robot) + season.name);
   stub.behaviour.is_valid = true;
   stub.behaviour.displacement_velocity_hill =
-      std::ldexp(static_cast<double>(key.low >> 11), -58);
+      1e-2 * static_cast<double>(key.low % kLevels);
   stub.behaviour.velocity = stub.behaviour.displacement_velocity_hill;
   stub.behaviour.displacement_velocity = stub.behaviour.velocity;
   stub.behaviour.head_balance = std::ldexp(static_cast<double>(key.high), -64);

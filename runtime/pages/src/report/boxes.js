@@ -29,7 +29,7 @@ function bracketMarks(brackets) {
   ]);
   return [
     lines.map((line) => Plot.line(line, { stroke: "#1b1b1b", strokeWidth: 1 })),
-    Plot.text(brackets, { x: ({ x1, x2 }) => (x1 + x2) / 2, y: "y", text: "text", dy: -5, fontSize: 11, fill: "#1b1b1b" }),
+    Plot.text(brackets, { x: ({ x1, x2 }) => (x1 + x2) / 2, y: "y", text: "text", lineAnchor: "bottom", dy: -2, fontSize: 11, fill: "#1b1b1b" }),
   ];
 }
 

@@ -17,7 +17,8 @@ function svgElement(tag, attributes, text) {
 
 const shortened = (text, length) => (text.length > length ? `${text.slice(0, length - 1)}…` : text);
 
-// Entries in rows that fit: [{text, style, x, y}], and the height of all.
+// Entries in rows that fit: [{text, style, x, y}], and the height of all: a row
+// at least, so that charts side by side are level.
 function arrange(entries, width) {
   const left = 8;
   let x = left;
@@ -33,7 +34,7 @@ function arrange(entries, width) {
     x += needed;
     return place;
   });
-  return { placed, height: entries.length ? (row + 1) * rowHeight + 6 : 0 };
+  return { placed, height: (row + 1) * rowHeight + 6 };
 }
 
 export const legendHeight = (entries, width) => arrange(entries, width).height;

@@ -37,7 +37,7 @@ export function curvesFigure(chart) {
     marginLeft: left,
     marginBottom: 36,
     marginRight: 14,
-    x: { label: "generation", labelAnchor: "center", labelArrow: "none", tickFormat: "d", ticks: 5, domain: chart.generations },
+    x: { label: "generation", labelAnchor: "center", labelArrow: "none", tickFormat: "d", ticks: Math.min(5, chart.generations[1]), domain: chart.generations },
     y: { label: null, domain: chart.domain, nice: true, ticks: 6, grid: true, percent: chart.isShare },
     style: { fontSize: "11px", fontFamily: "system-ui, 'DejaVu Sans', sans-serif", color: "#1b1b1b" },
     marks: [

@@ -41,7 +41,7 @@ export function measureSection(data, styles, index) {
   const tests = mine(data.tests);
   if (!curves.length) return null;
   const curveDomain = domainOf(curves.flatMap(({ experiment, low, median, high }) => (data.experiments[experiment].static ? [median] : [low, high])));
-  const boxDomain = domainOf(finals.flatMap(({ values, mean }) => [mean, ...values.map(({ value }) => value)]));
+  const boxDomain = domainOf(finals.flatMap(({ experiment, values, mean }) => (data.experiments[experiment].static ? [mean] : values.map(({ value }) => value))));
   const generations = [0, Math.max(1, ...curves.map(({ median }) => median.length - 1))];
   const figures = { curves: [], boxes: [] };
   data.seasons.forEach((season, seasonIndex) => {

@@ -1,0 +1,217 @@
+// The page of `plsc report`, of a tiny real study whose names are hostile.
+import assert from "node:assert/strict";
+import { copyFileSync, mkdirSync, readFileSync, statSync, writeFileSync } from "node:fs";
+import { join } from "node:path";
+import { before, test } from "node:test";
+import { assertFitsWidth, desktop, downloaded, phone, plsc, scratch, screenshot, withPage } from "./browser.mjs";
+
+const hostile = `</script><img src=x onerror="alert('study')"><!-- ` + "`${alert(1)}`";
+const study = `plsc_study: 1
+name: ${JSON.stringify(hostile)}
+seed: 7
+repetitions: 3
+base:
+  population: 6
+  offspring: 6
+  generations: 4
+  scenario:
+    seasons:
+      - {name: flat, terrain: flat, duration: 1 s}
+      - {name: tilted, terrain: {tilted: 5 deg}, duration: 1 s}
+experiments:
+  plastic: {encoding: plasticoding}
+  baseline: {encoding: baseline}
+  static:
+    encoding: baseline
+    scenario: {seasons: [{name: plain, terrain: flat, duration: 1 s}]}
+`;
+const folder = join(scratch, "study");
+const file = join(scratch, "report.html");
+const single = join(scratch, "single.html");
+const partly = join(scratch, "partly.html");
+
+before(() => {
+  writeFileSync(join(scratch, "study.yaml"), study);
+  plsc("study", "run", "study.yaml", "-o", folder, "--quiet");
+  plsc("report", folder, "-o", file);
+  plsc("report", join(folder, "plastic/1.sqlite"), "-o", single, "--measures", "speed,hinge_count");
+
+  // One run missing, one damaged, one whose name is a script.
+  const runs = join(scratch, "runs");
+  mkdirSync(runs);
+  copyFileSync(join(folder, "plastic/1.sqlite"), join(runs, "<img src=x onerror=alert(2)>.sqlite"));
+  copyFileSync(join(folder, "baseline/1.sqlite"), join(runs, "=1+1.sqlite"));
+  writeFileSync(join(runs, "broken.sqlite"), readFileSync(join(folder, "plastic/2.sqlite")).subarray(0, 9000));
+  assert.throws(() => plsc("report", runs, "-o", partly), /broken\.sqlite/); // told, and the others shown
+});
+
+// Marks of each chart, by its title.
+const chartsOf = (page) =>
+  page.$$eval("figure.chart", (figures) =>
+    figures.map((figure) => ({
+      title: figure.querySelector("svg").getAttribute("aria-label"),
+      kind: figure.classList[1],
+      lines: figure.querySelectorAll('g[aria-label="line"] path').length,
+      bands: figure.querySelectorAll('g[aria-label="area"] path').length,
+      bars: figure.querySelectorAll('g[aria-label="bar"] rect').length,
+      boxes: figure.querySelectorAll('g[aria-label="rect"] rect').length,
+      dots: figure.querySelectorAll('g[aria-label="dot"] circle').length,
+      means: figure.querySelectorAll('g[aria-label="dot"] path').length,
+      references: figure.querySelectorAll('g[aria-label="rule"][stroke-dasharray] line').length,
+      legend: [...figure.querySelectorAll(".legend text")].map((text) => text.textContent),
+      isFinite: !/NaN|Infinity|undefined/.test(figure.querySelector("svg").outerHTML),
+    })),
+  );
+
+for (const [name, size] of [
+  ["desktop", desktop],
+  ["phone", phone],
+])
+  test(`every chart has its marks (${name})`, () =>
+    withPage(file, size, async (page) => {
+      await assertFitsWidth(page);
+      const charts = await chartsOf(page);
+      const kinds = (kind) => charts.filter((chart) => chart.kind === kind);
+      // Six measures in two seasons; shares of bodies and of brains.
+      assert.equal(kinds("curves").length, 6 * 2 + 2);
+      assert.equal(kinds("boxes").length, 6 * 2);
+      assert.equal(kinds("bars").length, 2);
+      for (const chart of charts) assert.ok(chart.isFinite, `${chart.title} has what is no number`);
+      for (const { title, lines, bands, legend } of kinds("curves")) {
+        const isFlat = title.includes("flat");
+        assert.equal(bands, 2, title);
+        assert.equal(lines, isFlat ? 3 : 2, title); // the static one has no band
+        assert.deepEqual(legend, isFlat ? ["plastic", "baseline", "static"] : ["plastic", "baseline"]);
+      }
+      for (const { title, boxes, dots, means, references, lines } of kinds("boxes")) {
+        assert.equal(boxes, 2, title);
+        assert.equal(dots, 6, title); // a run each
+        assert.equal(means, 2, title);
+        assert.equal(references, title.includes("flat") ? 1 : 0, title);
+        assert.equal(lines, 1, `${title}: a bracket`);
+      }
+      for (const { title, bars } of kinds("bars")) assert.ok(bars >= 5, title);
+      await screenshot(page, `report-${name}`);
+      if (size === desktop) await screenshot(page, "report-whole", { fullPage: true });
+    }));
+
+test("names are shown as what they are", () =>
+  withPage(file, desktop, async (page) => {
+    assert.equal(await page.textContent("h1"), hostile);
+    assert.equal(await page.title(), hostile);
+    assert.equal(await page.locator("img[onerror]").count(), 0);
+  }));
+
+test("names of experiments are text in charts and in their files, too", () =>
+  withPage(partly, desktop, async (page) => {
+    // Loose runs are called after their study.
+    assert.equal(await page.textContent("header dt"), `${hostile} plastic`.replaceAll(/\s+/g, " "));
+    assert.equal(await page.locator("img[onerror]").count(), 0);
+    const legend = await page.locator(".legend text").first().textContent();
+    assert.ok(legend.startsWith("</script><img"), legend);
+    const { text } = await downloaded(page, page.locator("figure.chart button").first());
+    const images = await page.evaluate((svg) => {
+      const document = new DOMParser().parseFromString(svg, "image/svg+xml");
+      return document.querySelector("parsererror, img, script") === null;
+    }, text);
+    assert.ok(images);
+  }));
+
+test("the gallery shows each run's best robot in every season", () =>
+  withPage(file, desktop, async (page) => {
+    assert.equal(await page.locator("article.robot").count(), 9);
+    const sizes = await page.$$eval(".bodies img", (images) => images.map((image) => [image.complete, image.naturalWidth]));
+    assert.equal(sizes.length, 3 * 2 + 3 * 2 + 3);
+    for (const [isComplete, width] of sizes) assert.ok(isComplete && width > 0);
+    const first = page.locator("article.robot").first();
+    await first.locator("summary").click();
+    assert.ok((await first.locator("tbody tr").count()) >= 5);
+    assert.match(await first.locator("tbody").textContent(), /inclined = /);
+  }));
+
+test("each button gives its file", () =>
+  withPage(file, desktop, async (page) => {
+    const buttons = page.locator("figure.chart button");
+    const count = await buttons.count();
+    assert.equal(count, 2 * (6 * 2 + 2 + 6 * 2 + 2));
+    const names = new Set();
+    for (let i = 0; i < count; ++i) {
+      const button = buttons.nth(i);
+      const { name, text } = await downloaded(page, button);
+      assert.ok(!names.has(name), `${name} twice`);
+      names.add(name);
+      if ((await button.textContent()) === "SVG") {
+        assert.match(name, /^[a-z0-9-]+\.svg$/);
+        const marks = await page.evaluate((svg) => {
+          const document = new DOMParser().parseFromString(svg, "image/svg+xml");
+          if (document.querySelector("parsererror")) return -1;
+          return document.querySelectorAll("path, rect, line, circle").length;
+        }, text);
+        assert.ok(marks > 5, `${name} has ${marks} marks`);
+      } else {
+        assert.match(name, /^[a-z0-9-]+\.csv$/);
+        const lines = text.split("\r\n");
+        assert.match(lines[0], /^[a-z0-9_]+(,[a-z0-9_]+)+$/);
+        assert.ok(lines.length > 3, name);
+        assert.equal(lines.at(-1), "");
+      }
+    }
+  }));
+
+test("tables can be had as CSV, their numbers those of the JSON", () =>
+  withPage(file, desktop, async (page) => {
+    const data = JSON.parse(plsc("report", folder, "--format", "json"));
+    const csvOf = async (what) => (await downloaded(page, page.getByRole("button", { name: `CSV of ${what}` }))).text.trim().split("\r\n");
+    const tests = await csvOf("the tests");
+    assert.equal(tests.length, 1 + data.tests.length);
+    assert.equal(data.tests.length, 6 * 2);
+    assert.equal((await csvOf("the runs")).length, 1 + 9);
+    assert.equal((await csvOf("the best robots")).length, 1 + 15);
+    const speeds = await csvOf("Speed of generation 3, flat");
+    const values = data.finals.filter(({ measure, season }) => measure === 0 && season === 0).flatMap(({ values }) => values);
+    assert.deepEqual(speeds.slice(1).map((line) => Number(line.split(",").at(-1))), values.map(({ value }) => value));
+    // With three runs each there is no p below a tenth, and the page says so.
+    assert.ok(data.tests.every(({ p }) => p === null || p >= 0.1));
+    assert.match(await page.textContent("#tests"), /cannot be below 0\.1/);
+    assert.match(await page.textContent("#tests"), /12 tests, not corrected/);
+  }));
+
+test("it can be printed", () =>
+  withPage(file, desktop, async (page) => {
+    const pdf = await page.pdf({ format: "A4" });
+    assert.equal(pdf.subarray(0, 5).toString(), "%PDF-");
+    assert.ok(pdf.length > 50000);
+    await page.emulateMedia({ media: "print" });
+    assert.equal(await page.locator("figure.chart button").first().isVisible(), false);
+  }));
+
+test("keys reach the links and the buttons", () =>
+  withPage(file, desktop, async (page) => {
+    await page.keyboard.press("Tab");
+    assert.equal(await page.evaluate(() => document.activeElement.getAttribute("href")), "#measure-0");
+    for (const link of await page.$$eval("nav a", (links) => links.map((link) => link.getAttribute("href")))) assert.equal(await page.locator(link).count(), 1);
+  }));
+
+test("one run alone shows its population", () =>
+  withPage(single, phone, async (page) => {
+    await assertFitsWidth(page);
+    const charts = await chartsOf(page);
+    assert.equal(charts.filter(({ kind }) => kind === "curves").length, 2 * 2 + 2);
+    assert.equal(charts.filter(({ kind }) => kind === "boxes").length, 0);
+    assert.equal(await page.locator("#tests").count(), 0);
+    assert.match(await page.textContent("#measures"), /quartiles of the population's robots/);
+    await screenshot(page, "report-single-phone");
+  }));
+
+test("what is damaged is told, and what is named as a script is text", () =>
+  withPage(partly, desktop, async (page) => {
+    const header = await page.textContent("header");
+    assert.match(header, /3 runs of 2 experiments: /);
+    assert.match(header, /Left out: broken\.sqlite\./);
+    assert.match(await page.textContent("#provenance"), /<img src=x onerror=alert\(2\)>\.sqlite/);
+    assert.equal(await page.locator("#tests").count(), 0); // a run each
+    const runs = await downloaded(page, page.getByRole("button", { name: "CSV of the runs" }));
+    assert.match(runs.text, /^'=1\+1\.sqlite,/m); // no formula for spreadsheets
+  }));
+
+test("pages are small", () => assert.ok(statSync(file).size < 1.5e6));

@@ -1,0 +1,151 @@
+#include "runtime/report/comparison.h"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <map>
+
+#include "tests/runtime/report/reported_study.h"
+
+namespace plsc {
+namespace {
+
+using test::ReportedStudy;
+
+/// Runs that need no store: what was read of them is written here.
+struct Made {
+  StudyReport report;
+
+  Made() {
+    report.measures = *ChooseMeasures("size");
+    report.seasons = {"flat"};
+    report.generation = 1;
+    for (const char* name : {"a", "b"}) {
+      ReportExperiment one;
+      one.name = name;
+      one.seasons = {0};
+      report.experiments.push_back(one);
+    }
+  }
+  void Add(std::size_t experiment, std::vector<double> means) {
+    ReportRun run;
+    run.reading.population.seasons = {"flat"};
+    run.reading.population.generations = static_cast<int>(means.size());
+    run.reading.population.series = {{std::move(means), {}}};
+    report.experiments[experiment].runs.push_back(report.runs.size());
+    report.runs.push_back(std::move(run));
+  }
+};
+
+}  // namespace
+
+TEST_CASE("Curves are quartiles of the runs that got there", "[comparison]") {
+  Made made;
+  made.Add(0, {1, 10});
+  made.Add(0, {2, 20});
+  made.Add(0, {4});
+  made.Add(0, {NAN, NAN});
+  made.Add(1, {});
+  const std::vector<Curve> curves = CurvesOf(made.report);
+  REQUIRE(curves.size() == 1);  // b has nothing to show
+  CHECK(curves[0].experiment == 0);
+  CHECK(curves[0].counts == std::vector<int>{3, 2});
+  CHECK(curves[0].quartiles[0].median == 2);
+  CHECK(curves[0].quartiles[0].high == 3);
+  CHECK(curves[0].quartiles[1].median == 15);
+}
+
+TEST_CASE("Finals are of the runs that completed the generation",
+          "[comparison]") {
+  Made made;
+  made.Add(0, {1, 10});
+  made.Add(0, {2});
+  made.Add(0, {4, 30});
+  made.Add(1, {5, 20});
+  made.Add(1, {5, 5});
+  made.Add(1, {5, NAN});
+  const std::vector<Finals> finals = FinalsOf(made.report);
+  REQUIRE(finals.size() == 2);
+  REQUIRE(finals[0].values.size() == 2);
+  CHECK(finals[0].values[1].run == 2);
+  CHECK(finals[0].values[1].value == 30);
+  CHECK(finals[0].box.mean == 20);
+  CHECK(finals[1].values.size() == 2);
+
+  const std::vector<Test> tests = TestsOf(made.report, finals);
+  REQUIRE(tests.size() == 1);
+  CHECK(tests[0].first_runs == 2);
+  REQUIRE(tests[0].result);
+  CHECK(tests[0].result->w == 3);
+  CHECK(tests[0].result->p == Approx(2.0 / 3));
+}
+
+TEST_CASE("Neither static experiments nor single runs are tested",
+          "[comparison]") {
+  for (const bool is_static : {true, false}) {
+    Made made;
+    made.report.experiments[1].is_static = is_static;
+    made.Add(0, {1, 10});
+    made.Add(0, {2, 11});
+    made.Add(1, {5, 20});
+    if (is_static) made.Add(1, {5, 21});
+    CHECK(TestsOf(made.report, FinalsOf(made.report)).empty());
+  }
+}
+
+TEST_CASE("Of a report without a generation there is nothing to compare",
+          "[comparison]") {
+  Made made;
+  made.report.generation = -1;
+  made.Add(0, {});
+  CHECK(CurvesOf(made.report).empty());
+  CHECK(FinalsOf(made.report).empty());
+  CHECK(PlasticCurvesOf(made.report).empty());
+}
+
+TEST_CASE("A study's every measure is compared in every season",
+          "[comparison]") {
+  const StudyReport& report = ReportedStudy::Get().report;
+  const std::vector<Finals> finals = FinalsOf(report);
+  // Two seasons, in each plastic, baseline and a static one; Balance and
+  // others are numbers, too.
+  CHECK(CurvesOf(report).size() == report.measures.size() * 2 * 3);
+  CHECK(finals.size() == report.measures.size() * 2 * 3);
+  const std::vector<Test> tests = TestsOf(report, finals);
+  CHECK(tests.size() == report.measures.size() * 2);
+  for (const Test& test : tests) {
+    CHECK(test.first == 0);
+    CHECK(test.second == 1);
+    CHECK(test.first_runs == 2);  // plastic/3 was stopped
+    CHECK(test.second_runs == 3);
+  }
+}
+
+TEST_CASE("Plasticity is zero for the baseline, and not for the other",
+          "[comparison]") {
+  const StudyReport& report = ReportedStudy::Get().report;
+  const std::vector<PlasticCurve> curves = PlasticCurvesOf(report);
+  REQUIRE(curves.size() == 2);  // one season shows nothing
+  CHECK(curves[0].counts.front() == 3);
+  CHECK(curves[0].counts.back() == 2);
+  CHECK(curves[0].body.size() == 5);
+  CHECK(curves[0].body.back().high > 0);
+  CHECK(curves[1].body.back().high == 0);
+  CHECK(curves[1].brain.back().high == 0);
+  CHECK_FALSE(RulesOf(report, 0).empty());
+  CHECK(RulesOf(report, 1).empty());
+}
+
+TEST_CASE("A single run's curves are its population's", "[comparison]") {
+  const StudyReport report = BuildReport(
+      *FindRuns({ReportedStudy::Get().folder + "/plastic/1.sqlite"}),
+      *ChooseMeasures("size"), {});
+  const std::vector<Curve> curves = CurvesOf(report);
+  REQUIRE(curves.size() == 2);
+  const auto& spreads = report.runs[0].reading.population.of(0, 1).spreads;
+  CHECK(curves[1].counts == std::vector<int>(5, 1));
+  CHECK(curves[1].quartiles[4].high == spreads[4].high);
+  CHECK(curves[1].quartiles[4].low < curves[1].quartiles[4].high);
+  CHECK(TestsOf(report, FinalsOf(report)).empty());
+}
+
+}  // namespace plsc

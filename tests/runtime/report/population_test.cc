@@ -1,0 +1,136 @@
+// Against SQL that says in one statement what a mean is (docs/runs.md).
+
+#include "runtime/report/population.h"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "tests/runtime/store/stored_run.h"
+
+namespace plsc {
+namespace {
+
+/// The mean over the survivors of a generation, of a column of the view
+/// `result`.
+double MeanBySql(Database& database, const ReportMeasure& measure,
+                 const std::string& season, int generation) {
+  Statement row(database, "SELECT avg(" + measure.id +
+                              ") FROM population JOIN result ON result.id = "
+                              "population.id WHERE population.generation = ? "
+                              "AND season = ?");
+  REQUIRE(row.With(generation, season).Next());
+  const double mean = row.TakeReal() * measure.scale;
+  row.Run();
+  return mean;
+}
+
+double ShareBySql(Database& database, const std::string& part, int generation) {
+  Statement row(
+      database,
+      "SELECT avg(kinds > 1) FROM (SELECT count(DISTINCT ifnull(" + part +
+          ", '')) AS kinds FROM population JOIN evaluation ON "
+          "evaluation.individual = population.id LEFT JOIN phenotype ON "
+          "phenotype.key = evaluation.phenotype "
+          "WHERE population.generation = ? GROUP BY population.id)");
+  REQUIRE(row.With(generation).Next());
+  const double share = row.TakeReal();
+  row.Run();
+  return share;
+}
+
+}  // namespace
+
+TEST_CASE("Means are those that SQL finds, for every measure and season",
+          "[population]") {
+  const test::Scratch scratch;
+  test::WriteRun(scratch / "run");
+  Database database;
+  REQUIRE_FALSE(database.Open(scratch / "run", Database::Mode::kRead));
+  const auto measures = AllMeasures();
+  const PopulationSummary summary =
+      SummarisePopulation(database, measures, false);
+  REQUIRE_FALSE(database.TakeFailure());
+  REQUIRE(summary.generations > 2);
+  REQUIRE(summary.seasons.size() > 1);
+  int numbers = 0;
+  for (std::size_t m = 0; m < measures.size(); ++m)
+    for (std::size_t s = 0; s < summary.seasons.size(); ++s) {
+      const Series& series = summary.of(m, s);
+      REQUIRE(series.means.size() ==
+              static_cast<std::size_t>(summary.generations));
+      CHECK(series.spreads.empty());
+      for (int g = 0; g < summary.generations; ++g) {
+        CAPTURE(measures[m].id, summary.seasons[s], g);
+        const double mean = series.means[static_cast<std::size_t>(g)];
+        const double expected =
+            MeanBySql(database, measures[m], summary.seasons[s], g);
+        if (std::isnan(expected))
+          CHECK(std::isnan(mean));
+        else
+          CHECK(mean == Approx(expected).margin(1e-12));
+        numbers += std::isnan(mean) ? 0 : 1;
+      }
+    }
+  CHECK(numbers > 100);
+}
+
+TEST_CASE("Shares of plastic robots are those that SQL finds", "[population]") {
+  const test::Scratch scratch;
+  test::WriteRun(scratch / "run");
+  Database database;
+  REQUIRE_FALSE(database.Open(scratch / "run", Database::Mode::kRead));
+  const auto summary = SummarisePopulation(database, PaperMeasures(), false);
+  REQUIRE(summary.plastic.size() ==
+          static_cast<std::size_t>(summary.generations));
+  double most = 0;
+  for (int g = 0; g < summary.generations; ++g) {
+    CAPTURE(g);
+    const PlasticShares& shares = summary.plastic[static_cast<std::size_t>(g)];
+    CHECK(shares.body ==
+          Approx(ShareBySql(database, "phenotype.body", g)).margin(1e-12));
+    CHECK(shares.brain ==
+          Approx(ShareBySql(database, "phenotype.packed", g)).margin(1e-12));
+    most = std::max(most, shares.body);
+  }
+  CHECK(most > 0);
+}
+
+TEST_CASE("Quartiles over robots are told when asked for", "[population]") {
+  const test::Scratch scratch;
+  test::WriteRun(scratch / "run", 2);
+  Database database;
+  REQUIRE_FALSE(database.Open(scratch / "run", Database::Mode::kRead));
+  const auto measures = *ChooseMeasures("size");
+  const auto summary = SummarisePopulation(database, measures, true);
+  REQUIRE(summary.generations == 2);
+  CHECK(summary.survivors.size() > 1);
+  for (const Series& series : summary.series) {
+    REQUIRE(series.spreads.size() == 2);
+    std::vector<double> sizes;
+    Statement row(database,
+                  "SELECT absolute_size FROM population JOIN result ON "
+                  "result.id = population.id WHERE population.generation = 1 "
+                  "AND season = ? AND absolute_size IS NOT NULL");
+    row.With(summary.seasons[static_cast<std::size_t>(&series -
+                                                      summary.series.data())]);
+    while (row.Next()) sizes.push_back(row.TakeReal());
+    const Quartiles expected = QuartilesOf(sizes);
+    CHECK(series.spreads[1].low == expected.low);
+    CHECK(series.spreads[1].median == expected.median);
+    CHECK(series.spreads[1].high == expected.high);
+  }
+}
+
+TEST_CASE("A run without a generation has an empty summary", "[population]") {
+  const test::Scratch scratch;
+  test::WriteRun(scratch / "run", 0);
+  Database database;
+  REQUIRE_FALSE(database.Open(scratch / "run", Database::Mode::kRead));
+  const auto summary = SummarisePopulation(database, PaperMeasures(), true);
+  CHECK_FALSE(database.TakeFailure());
+  CHECK(summary.generations == 0);
+  CHECK(summary.survivors.empty());
+  CHECK(summary.of(0, 0).means.empty());
+}
+
+}  // namespace plsc
