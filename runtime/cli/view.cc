@@ -39,13 +39,13 @@ bool SparesInputs(const ViewCommand& command, Io& io) {
 }  // namespace
 
 Exit Run(const ViewCommand& command, Io& io) {
+  if (!SparesInputs(command, io)) return Exit::kBadInput;
   if (command.explain) return Explain(command, io);
   if (!HasPages()) {
     io.err << "error: this plsc was built without npm, and has no pages\n";
     return Exit::kBadInput;
   }
-  if (!CanWrite(command.output, io) || !SparesInputs(command, io))
-    return Exit::kBadInput;
+  if (!CanWrite(command.output, io)) return Exit::kBadInput;
   const InterruptHandler handler;
   const auto lives = LoadLives(command, io);
   if (InterruptHandler::is_interrupted()) return Exit::kInterrupted;
