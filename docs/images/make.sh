@@ -21,7 +21,8 @@ mkdir -p "$work"
 run=$work/study/plastic/1.sqlite
 "$plsc" report "$work/study" -o "$work/report.html"
 "$plsc" draw "$run" best -o "$images/evolved.svg"
-"$plsc" view examples/gecko.pls examples/climber.pls -o "$work/replay.html"
+"$plsc" view "$work/study/plastic/2.sqlite" best "$work/study/baseline/1.sqlite" best \
+  -o "$work/replay.html"
 "$plsc" view --explain examples/climber.pls -o "$work/explain.html"
 
 PLSC_NODE_MODULES=build/release/tests/pages/npm/node_modules \

@@ -15,18 +15,15 @@ const shots = {
   report: { size: { width: 1280, height: 860 } },
   replay: {
     size: { width: 1100, height: 760 },
-    // Some seconds into the life, so that something happened.
-    prepare: async (page) => {
-      await page.getByRole("button", { name: /play/i }).first().click();
-      await page.waitForTimeout(4000);
-    },
+    at: "#t=27", // the second season began at 20 s
+    prepare: (page) => page.waitForTimeout(1500), // finely painted when it stands still
   },
   explain: { size: { width: 1280, height: 860 } },
 };
 
-for (const [name, { size, prepare }] of Object.entries(shots)) {
+for (const [name, { size, at, prepare }] of Object.entries(shots)) {
   const page = await browser.newPage({ viewport: size });
-  await page.goto(pathToFileURL(join(resolve(pages), `${name}.html`)).href);
+  await page.goto(pathToFileURL(join(resolve(pages), `${name}.html`)).href + (at ?? ""));
   await page.waitForTimeout(500);
   await prepare?.(page);
   await page.screenshot({ path: join(images, `${name}.png`) });

@@ -86,6 +86,8 @@ export async function assertFitsWidth(page) {
 
 // Presses the button (a locator) and gives the file that it hands out.
 export async function downloaded(page, button) {
+  // Chromium drops all but ten downloads of a page a second, without a word.
+  await page.waitForTimeout(120);
   const [file] = await Promise.all([page.waitForEvent("download"), button.click()]);
   const stream = await file.createReadStream();
   let text = "";
