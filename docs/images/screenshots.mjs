@@ -18,7 +18,10 @@ const shots = {
     at: "#t=27", // the second season began at 20 s
     prepare: (page) => page.waitForTimeout(1500), // finely painted when it stands still
   },
-  explain: { size: { width: 1280, height: 860 } },
+  explain: {
+    size: { width: 1280, height: 860 },
+    prepare: (page) => page.locator('[data-key="mod:1:11"]').click(), // module 12, tilted
+  },
 };
 
 for (const [name, { size, at, prepare }] of Object.entries(shots)) {
