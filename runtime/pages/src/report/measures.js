@@ -46,7 +46,7 @@ export function measureSection(data, styles, index) {
   const figures = { curves: [], boxes: [] };
   data.seasons.forEach((season, seasonIndex) => {
     const here = (one) => one.season === seasonIndex;
-    const common = { yLabel: withUnit(measure), columns: { measure: measure.id, unit: measure.unit ?? "", season } };
+    const common = { yLabel: `${season}: ${withUnit(measure)}`, columns: { measure: measure.id, unit: measure.unit ?? "", season } };
     const lines = curves.filter(here).map(({ experiment, low, median, high, runs }) => ({
       name: data.experiments[experiment].name,
       style: styles[experiment],
