@@ -7,8 +7,8 @@
 #include "compiler/print.h"
 #include "runtime/cli/commands.h"
 #include "runtime/cli/open_run.h"
+#include "runtime/cli/output_path.h"
 #include "runtime/cli/png.h"
-#include "runtime/cli/recorded_life.h"
 #include "runtime/cli/robot_source.h"
 #include "runtime/formats/bodies_svg.h"
 #include "runtime/formats/body_text.h"
@@ -151,7 +151,7 @@ Exit WritePicture(const DrawCommand& command, const std::string& svg, Io& io) {
 }  // namespace
 
 Exit Run(const DrawCommand& command, Io& io) {
-  if (!CanWrite(command.output, io)) return Exit::kBadInput;
+  if (!CanWrite(command.output, {command.file}, io)) return Exit::kBadInput;
   const auto found = FindRobot({command.file, command.individual,
                                 command.environments, command.allow_range},
                                io);

@@ -154,8 +154,10 @@ Loaded<std::string> PngOf(const std::string& svg, double scale,
     return Png::Failed("cannot make a PNG: librsvg cannot read the picture");
   const Rectangle size{0, 0, std::round(width * scale),
                        std::round(height * scale)};
-  if (size.width < 1 || size.height < 1 || size.width > kMostPixels ||
-      size.height > kMostPixels)
+  const auto is_drawable = [](double pixels) {
+    return pixels >= 1 && pixels <= kMostPixels;  // and so not NaN
+  };
+  if (!is_drawable(size.width) || !is_drawable(size.height))
     return Png::Failed(fmt::format(
         "cannot make a PNG of {} x {} pixels: expected 1 to {} a side; choose "
         "another --scale",

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <filesystem>
 #include <ostream>
 #include <utility>
 
@@ -21,21 +20,6 @@ bool CanLive(const Scenario& scenario, const Genotype& genotype, Io& io) {
   for (const Diagnostic& problem : problems)
     io.err << fmt::format("error: {}\n", problem.message);
   return problems.empty();
-}
-
-bool CanWrite(const std::string& path, Io& io) {
-  if (path.empty()) return true;
-  const std::filesystem::path folder =
-      std::filesystem::path(path).parent_path();
-  std::error_code error;
-  const char* problem = nullptr;
-  if (!folder.empty() && !std::filesystem::is_directory(folder, error))
-    problem = "its folder does not exist";
-  else if (std::filesystem::is_directory(path, error))
-    problem = "it is a folder";
-  if (problem != nullptr)
-    io.err << fmt::format("error: cannot write '{}': {}\n", path, problem);
-  return problem == nullptr;
 }
 
 RecordedLife::RecordedLife(const Genotype& genotype, const Scenario& scenario,

@@ -16,10 +16,6 @@ namespace plsc::cli {
 /// senses and cannot feel. Prints what is wrong.
 bool CanLive(const Scenario& scenario, const Genotype& genotype, Io& io);
 
-/// Whether a file can be made there, which is told before hours of simulation
-/// and not after them. An empty path is none, and fine. Prints what is wrong.
-bool CanWrite(const std::string& path, Io& io);
-
 class RecordedLife {
  public:
   /// Shows progress if standard error is a terminal. Without `is_recording`

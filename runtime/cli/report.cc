@@ -9,6 +9,7 @@
 
 #include "runtime/cli/commands.h"
 #include "runtime/cli/open_run.h"
+#include "runtime/cli/output_path.h"
 #include "runtime/cli/version.h"
 #include "runtime/pages/page.h"
 #include "runtime/report/report_json.h"
@@ -112,6 +113,7 @@ Exit Run(const ReportCommand& command, Io& io) {
         "this plsc was built without npm and has no pages; "
         "--format json works",
         io);
+  if (!CanWrite(command.output, command.paths, io)) return Exit::kBadInput;
   const auto measures = ChooseMeasures(command.measures);
   if (!measures) return WrongUsage(measures.failure().c_str(), io);
   const Loaded<ReportInputs> inputs = FindRuns(command.paths);

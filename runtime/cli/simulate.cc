@@ -6,6 +6,7 @@
 #include "runtime/cli/commands.h"
 #include "runtime/cli/interrupt.h"
 #include "runtime/cli/load_yaml.h"
+#include "runtime/cli/output_path.h"
 #include "runtime/cli/program.h"
 #include "runtime/cli/recorded_life.h"
 #include "runtime/evaluation.h"
@@ -159,7 +160,8 @@ Exit Run(const SimulateCommand& command, Io& io) {
   const Genotype& genotype = program->genotype;
   const auto scenario = LoadScenario(command.scenario, io);
   if (!scenario || !CanLive(*scenario, genotype, io) ||
-      !CanWrite(command.record, io) || !CanWrite(command.svg, io))
+      !CanWrite(command.record, {command.file, command.scenario}, io) ||
+      !CanWrite(command.svg, {command.file, command.scenario}, io))
     return Exit::kBadInput;
 
   if (command.format == OutputFormat::kText) {

@@ -1,11 +1,10 @@
 #include <fmt/format.h>
 
-#include <filesystem>
 #include <ostream>
 
 #include "runtime/cli/commands.h"
 #include "runtime/cli/interrupt.h"
-#include "runtime/cli/recorded_life.h"
+#include "runtime/cli/output_path.h"
 #include "runtime/cli/view_explain.h"
 #include "runtime/cli/view_lives.h"
 #include "runtime/formats/view_json.h"
@@ -24,28 +23,15 @@ std::string TitleOf(const std::vector<ViewedLife>& lives) {
   return title;
 }
 
-/// A slip of the keyboard must not cost a recording.
-bool SparesInputs(const ViewCommand& command, Io& io) {
-  for (const std::string& input : command.inputs) {
-    std::error_code error;
-    if (!std::filesystem::equivalent(input, command.output, error)) continue;
-    io.err << fmt::format("error: the page would replace its input '{}'\n",
-                          input);
-    return false;
-  }
-  return true;
-}
-
 }  // namespace
 
 Exit Run(const ViewCommand& command, Io& io) {
-  if (!SparesInputs(command, io)) return Exit::kBadInput;
   if (command.explain) return Explain(command, io);
   if (!HasPages()) {
     io.err << "error: this plsc was built without npm, and has no pages\n";
     return Exit::kBadInput;
   }
-  if (!CanWrite(command.output, io)) return Exit::kBadInput;
+  if (!CanWrite(command.output, command.inputs, io)) return Exit::kBadInput;
   const InterruptHandler handler;
   const auto lives = LoadLives(command, io);
   if (InterruptHandler::is_interrupted()) return Exit::kInterrupted;

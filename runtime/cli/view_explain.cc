@@ -7,7 +7,7 @@
 #include <variant>
 
 #include "runtime/cli/open_run.h"
-#include "runtime/cli/recorded_life.h"
+#include "runtime/cli/output_path.h"
 #include "runtime/cli/robot_source.h"
 #include "runtime/cli/view_lives.h"
 #include "runtime/formats/explain_json.h"
@@ -77,7 +77,7 @@ std::optional<std::vector<RobotAsked>> AskedOf(const ViewCommand& command,
 Exit Explain(const ViewCommand& command, Io& io) {
   if (!HasPages())
     return Complain("this plsc was built without npm, and has no pages", io);
-  if (!CanWrite(command.output, io)) return Exit::kBadInput;
+  if (!CanWrite(command.output, command.inputs, io)) return Exit::kBadInput;
   const auto asked = AskedOf(command, io);
   if (!asked) return Exit::kBadInput;
   std::vector<ExplainedRobot> robots;

@@ -1,6 +1,7 @@
 #include "runtime/cli/png.h"
 
 #include <catch2/catch.hpp>
+#include <cmath>
 
 #include "tests/runtime/cli/png_size.h"
 
@@ -50,6 +51,7 @@ TEST_CASE("a PNG that cannot be made says why", "[png]") {
   const std::vector<Row> rows = {
       {"no SVG", "no SVG", 1, "cannot read the picture"},
       {"too large", kPicture, 1e4, "PNG of 300000 x 200000 pixels"},
+      {"no number", kPicture, std::nan(""), "PNG of nan x nan pixels"},
       {"too small", kPicture, 0.001, "PNG of 0 x 0 pixels"},
   };
   for (const Row& row : rows) {

@@ -59,16 +59,5 @@ TEST_CASE("what cannot live is told before it should", "[recorded_life]") {
   CHECK(streams.err.str().find("inclined") != std::string::npos);
 }
 
-TEST_CASE("where nothing can be written is told", "[recorded_life]") {
-  Streams streams;
-  const test::TemporaryFolder folder;
-  CHECK(cli::CanWrite("", streams.io));
-  CHECK(cli::CanWrite(folder / "new.html", streams.io));
-  CHECK(streams.err.str().empty());
-  CHECK(!cli::CanWrite(folder / "none/new.html", streams.io));
-  CHECK(!cli::CanWrite(folder.path().string(), streams.io));
-  CHECK(streams.err.str().find("is a folder") != std::string::npos);
-}
-
 }  // namespace
 }  // namespace plsc

@@ -1,0 +1,54 @@
+#include "runtime/cli/output_path.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <ostream>
+#include <string_view>
+
+namespace plsc::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// By its first bytes, https://www.sqlite.org/fileformat.html 1.3.
+bool IsDatabase(const std::string& path) {
+  constexpr std::string_view kMagic("SQLite format 3\0", 16);
+  std::string begin(kMagic.size(), ' ');
+  std::ifstream file(path, std::ios::binary);
+  return file.read(begin.data(), static_cast<std::streamsize>(begin.size())) &&
+         begin == kMagic;
+}
+
+const char* ProblemOf(const std::string& path,
+                      const std::vector<std::string>& inputs) {
+  std::error_code error;
+  const fs::path folder = fs::path(path).parent_path();
+  if (!folder.empty() && !fs::is_directory(folder, error))
+    return "its folder does not exist";
+  if (fs::is_directory(path, error)) return "it is a folder";
+  if (!fs::is_regular_file(path, error)) return nullptr;
+  if (std::any_of(inputs.begin(), inputs.end(), [&](const std::string& input) {
+        return fs::equivalent(path, input, error);
+      }))
+    return "the command reads it; choose another name";
+  if (IsDatabase(path))
+    return "it is a database, as stores of runs are; choose another name";
+  return nullptr;
+}
+
+}  // namespace
+
+bool CanWrite(const std::string& path, const std::vector<std::string>& inputs,
+              Io& io) {
+  if (path.empty()) return true;
+  const char* problem = ProblemOf(path, inputs);
+  if (problem != nullptr)
+    io.err << fmt::format("error: cannot write '{}': {}\n", path, problem);
+  return problem == nullptr;
+}
+
+}  // namespace plsc::cli
