@@ -62,8 +62,9 @@ TEST_CASE("Bytes that are cut short, too many or of another layout are refused",
   for (std::size_t length = 0; length < bytes.size(); ++length)
     CHECK_FALSE(Unpack(std::string_view(bytes).substr(0, length)));
   CHECK_FALSE(Unpack(bytes + "x"));
-  for (const std::size_t place : {0u, 8u, 40u, 48u}) {  // layout, count, outcome,
-    std::string changed = bytes;                    // length of the reason
+  for (const std::size_t place :
+       {0u, 8u, 40u, 48u}) {      // layout, count, outcome,
+    std::string changed = bytes;  // length of the reason
     changed[place] = static_cast<char>(changed[place] ^ 0x70);
     CHECK_FALSE(Unpack(changed));
   }

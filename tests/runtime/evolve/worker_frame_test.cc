@@ -10,7 +10,7 @@ namespace plsc {
 TEST_CASE("A frame arrives in any pieces", "[worker_frame]") {
   const std::string zeros("a\0b\0", 4);
   for (const std::string& text : {std::string(), zeros, std::string(500, 'x')})
-    for (const std::size_t piece : {1, 7, 16, 17, 1000}) {
+    for (const std::size_t piece : {1u, 7u, 16u, 17u, 1000u}) {
       CAPTURE(text, piece);
       const std::string frame = Frame(text);
       FrameReader reader;

@@ -99,7 +99,7 @@ TEST_CASE("A full disk ends a run with its reason, and it goes on afterwards",
   TheRun();  // before the forks
   int failures = 0;
   // From what does not hold an empty store to what holds half a run.
-  for (const rlim_t limit : {10'000, 60'000, 200'000, 300'000, 400'000}) {
+  for (const rlim_t limit : {10'000u, 60'000u, 200'000u, 300'000u, 400'000u}) {
     CAPTURE(limit);
     const std::string told = RunWithLimit(path, limit);
     CAPTURE(told);
