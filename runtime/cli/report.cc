@@ -108,16 +108,16 @@ Exit Run(const ReportCommand& command, Io& io) {
   const bool is_page = command.format == ReportFormat::kHtml;
   if (is_page && command.output.empty())
     return WrongUsage("where should the page go? add -o FILE", io);
-  if (is_page && !HasPages())
-    return Complain(
-        "this plsc was built without npm and has no pages; "
-        "--format json works",
-        io);
   if (!CanWrite(command.output, command.paths, io)) return Exit::kBadInput;
   const auto measures = ChooseMeasures(command.measures);
   if (!measures) return WrongUsage(measures.failure().c_str(), io);
   const Loaded<ReportInputs> inputs = FindRuns(command.paths);
   if (!inputs) return Complain(inputs.failure(), io);
+  if (is_page && !HasPages())
+    return Complain(
+        "this plsc was built without npm and has no pages; "
+        "--format json works",
+        io);
   ReadingLine line(io, !command.quiet);
   const StudyReport report = BuildReport(
       *inputs, *measures,

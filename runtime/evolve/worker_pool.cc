@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <cassert>
 #include <cerrno>
+#include <cstring>
 #include <chrono>
-#include <system_error>
 
 namespace plsc {
 
@@ -80,7 +80,7 @@ std::optional<WorkerPool::Worker> WorkerPool::Start() {
   if (!process) {
     failure_ =
         fmt::format("cannot start a worker: {}",
-                    std::error_code(errno, std::generic_category()).message());
+                    std::strerror(errno));
     return std::nullopt;
   }
   Worker worker;
