@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <cassert>
 #include <cerrno>
-#include <cstring>
 #include <chrono>
+#include <cstring>
 
 namespace plsc {
 
@@ -78,9 +78,7 @@ WorkerPool::~WorkerPool() {
 std::optional<WorkerPool::Worker> WorkerPool::Start() {
   const std::optional<WorkerProcess> process = StartWorker(work_);
   if (!process) {
-    failure_ =
-        fmt::format("cannot start a worker: {}",
-                    std::strerror(errno));
+    failure_ = fmt::format("cannot start a worker: {}", std::strerror(errno));
     return std::nullopt;
   }
   Worker worker;
