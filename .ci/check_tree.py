@@ -19,8 +19,10 @@ ARROWS = {
     "runtime/store": {"runtime/store", "runtime/evolve", "runtime", "compiler", "grammar", "sim"},
     "runtime/study": {"runtime/study", "runtime/store", "runtime/evolve", "runtime", "compiler", "grammar", "sim"},
     "runtime/report": {"runtime/report", "runtime/study", "runtime/store", "runtime/evolve", "runtime", "compiler", "grammar", "sim"},
+    "runtime/exports": {"runtime/exports", "runtime", "compiler", "grammar", "sim"},
+    "runtime/lsp": {"runtime/lsp", "runtime", "compiler", "grammar"},
     "runtime/pages": {"runtime/pages", "runtime"},
-    "runtime/cli": {"runtime/cli", "runtime/report", "runtime/pages", "runtime/study", "runtime/store", "runtime/evolve", "runtime", "compiler", "grammar", "sim"},
+    "runtime/cli": {"runtime/cli", "runtime/exports", "runtime/lsp", "runtime/report", "runtime/pages", "runtime/study", "runtime/store", "runtime/evolve", "runtime", "compiler", "grammar", "sim"},
 }
 # Library -> where its headers may be included.
 DOORS = {

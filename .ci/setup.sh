@@ -11,8 +11,10 @@ libopenmpi-dev openmpi-bin librsvg2-2 fonts-dejavu-core r-mathlib python3"
 # Pages are bundled with npm, which a Node.js from elsewhere than Debian brings
 # itself.
 command -v npm >/dev/null 2>&1 || PLSC_PACKAGES="$PLSC_PACKAGES nodejs npm"
-# What tests alone need: a browser to open the pages in.
-PLSC_TEST_PACKAGES="chromium"
+# What tests alone need: a browser to open the pages in, the readers of the
+# exported robots, an editor for the language server.
+PLSC_TEST_PACKAGES="chromium libmujoco-dev liburdfdom-dev libsdformat-dev \
+neovim git"
 # Builds with sanitizers and libFuzzer.
 PLSC_CLANG_PACKAGES="clang-14 libclang-rt-14-dev"
 
