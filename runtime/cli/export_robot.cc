@@ -126,17 +126,16 @@ bool CanWriteAll(const std::vector<RobotFile>& files,
 Exit WriteAll(const std::vector<RobotFile>& files, Io& io) {
   for (const RobotFile& file : files) {
     if (const auto failure = WriteFile(file.path, file.text))
-      return Complain(
-          fmt::format("cannot write '{}': {}", file.path, *failure), io);
+      return Complain(fmt::format("cannot write '{}': {}", file.path, *failure),
+                      io);
     io.err << fmt::format("wrote {}\n", file.path);
   }
   return Exit::kFine;
 }
 
 std::string TextOf(const ExportCommand& command, const RobotModel& model) {
-  return ExportText(
-      *command.to, model,
-      command.alone ? Surroundings::kNone : Surroundings::kFloor);
+  return ExportText(*command.to, model,
+                    command.alone ? Surroundings::kNone : Surroundings::kFloor);
 }
 
 Exit FillFolder(const ExportCommand& command,
@@ -173,8 +172,8 @@ std::string ExportedName(const RobotModel& model, ExportFormat format,
 
 Exit ExportRobots(const ExportCommand& command, Io& io) {
   const bool asks_folder = AsksFolder(command.output);
-  if (!asks_folder && !CanWrite(command.output,
-                                {SplitGenotypePath(command.file).file}, io))
+  if (!asks_folder &&
+      !CanWrite(command.output, {SplitGenotypePath(command.file).file}, io))
     return Exit::kBadInput;
   const auto found = FindRobot({command.file, command.individual,
                                 command.environments, command.allow_range},

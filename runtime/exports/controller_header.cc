@@ -42,26 +42,26 @@ std::string DoubleText(double number) {
 
 constexpr const char* kUse = R"( *
  * C99, and nothing but <math.h> (link with -lm). Use, with times in s since
- * birth, angles in rad, `touched` 1 for each input that meets something, else
- * 0:
+ * birth, angles in rad, and `touched` an int an input, 1 if it meets something,
+ * else 0:
  *
- *   static @_state state;       (one a robot)
+ *   static @_state state;
  *   double outputs[@_SPACE];
  *   @_reset(&state);
- *   at times 0, 1 / @_update_rate, 2 / @_update_rate...:
- *     @_update(&state, time, touched, outputs);
- *     for each joint j: hold the speed @_speed(outputs[j], angle[j]) rad/s,
- *     with up to @_max_torque N m, until the next time
+ *   (then at times 0, 1 / @_update_rate...)
+ *   @_update(&state, time, touched, outputs);
+ *   speed = @_speed(outputs[j], angle[j]);
  *
- * plsc runs that (`controller: coupled`). @_oscillate in place of @_update
- * leaves touch and loops out (`controller: open_loop`). @_target is the angle
- * that a servo strives for, for motors that take angles.
+ * for each joint j, whose motor holds that speed, rad/s, with up to
+ * @_max_torque N m until the next time. plsc runs that
+ * (`controller: coupled`). _oscillate in place of _update leaves touch and
+ * loops out (`controller: open_loop`). For motors that take angles, _target is
+ * the angle that a servo strives for.
 )";
 
 constexpr const char* kTypes = R"(
-/* Lengths of arrays; none is 0, as C has no empty ones. */
+/* The length of outputs; not 0, as C has no empty arrays. */
 #define @_SPACE (@_joints > 0 ? @_joints : 1)
-#define @_INPUT_SPACE (@_inputs > 0 ? @_inputs : 1)
 
 typedef struct @_oscillator {
   int joint;
@@ -108,9 +108,10 @@ static inline void @_oscillate(double time, double outputs[@_SPACE]) {
     outputs[@_oscillator_table[i].joint] = @_oscillation(i, time);
 }
 
-/* Outputs by joint, with what is touched and what loops remember. */
+/* Outputs by joint, with what loops remember and what is touched: an int an
+ * input, or a null pointer for nothing. */
 static inline void @_update(@_state* state, double time,
-                            const int touched[@_INPUT_SPACE],
+                            const int* touched,
                             double outputs[@_SPACE]) {
   int i, edge;
   for (i = 0; i < @_joints; ++i) outputs[i] = @_rest_output;
@@ -121,7 +122,7 @@ static inline void @_update(@_state* state, double time,
       if (one->oscillator != i) continue;
       if (one->input < 0)
         output += one->weight * (state->previous[i] - @_rest_output);
-      else if (touched[one->input])
+      else if (touched && touched[one->input])
         output += one->weight;
     }
     output = @_clamp(output, 0.0, 1.0);

@@ -62,8 +62,7 @@ Json Formulas() {
        "output at the update before - rest_output) if from itself, weight if "
        "the sensor is touched; then clamped to 0..1"},
       {"open_loop_output", "oscillation"},
-      {"target",
-       "-range + 2 range * output clamped to min_output..max_output"},
+      {"target", "-range + 2 range * output clamped to min_output..max_output"},
       {"speed", "gain * (target - angle) clamped to -max_speed..max_speed"}};
 }
 
@@ -84,8 +83,7 @@ Json ControllerValue(const RobotModel& model) {
   Json edges = Json::array();
   for (const TableEdge& edge : tables.edges)
     edges.push_back(EdgeValue(tables, edge));
-  const bool is_coupled =
-      model.options.controller == ControllerMode::kCoupled;
+  const bool is_coupled = model.options.controller == ControllerMode::kCoupled;
   return {{"controller", is_coupled ? "coupled" : "open_loop"},
           {"joints", model.joints},
           {"inputs", tables.inputs},

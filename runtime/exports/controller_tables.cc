@@ -27,9 +27,8 @@ ControllerTables TablesOf(const RobotModel& model) {
                               ModuleId(model.phenotype.body, node.module));
     } else {
       places.push_back(tables.oscillators.size());
-      tables.oscillators.push_back({JointOf(model, node.module),
-                                    node.amplitude, node.period,
-                                    node.phase_offset});
+      tables.oscillators.push_back({JointOf(model, node.module), node.amplitude,
+                                    node.period, node.phase_offset});
     }
   }
   for (const Connection& one : brain.connections) {

@@ -8,7 +8,9 @@
 namespace plsc {
 
 std::string NumberText(double number) {
-  return number == 0 ? "0" : fmt::format("{}", number);
+  // m, kg, kg m2: parts have millimetres, grams and 1e-7 kg m2 at least.
+  constexpr double kNothing = 1e-15;
+  return std::abs(number) < kNothing ? "0" : fmt::format("{:.15g}", number);
 }
 
 std::string NumbersText(const Eigen::Vector3d& numbers) {
@@ -26,8 +28,7 @@ Eigen::Vector3d FixedAngles(const Eigen::Matrix3d& axes) {
   const double pitch = std::atan2(-axes(2, 0), level);
   // The turns of modules are whole quarters, exact to 1e-16.
   constexpr double kUpright = 1e-9;
-  if (level < kUpright)
-    return {0, pitch, std::atan2(-axes(0, 1), axes(1, 1))};
+  if (level < kUpright) return {0, pitch, std::atan2(-axes(0, 1), axes(1, 1))};
   return {std::atan2(axes(2, 1), axes(2, 2)), pitch,
           std::atan2(axes(1, 0), axes(0, 0))};
 }

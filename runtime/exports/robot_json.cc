@@ -20,8 +20,8 @@ Json VectorValue(const Vector3d& v) {
 
 /// By rows.
 Json MatrixValue(const Matrix3d& m) {
-  return Json::array({VectorValue(m.row(0)), VectorValue(m.row(1)),
-                      VectorValue(m.row(2))});
+  return Json::array(
+      {VectorValue(m.row(0)), VectorValue(m.row(1)), VectorValue(m.row(2))});
 }
 
 Json BoxValue(const Body& body, const Box& box) {
@@ -85,14 +85,10 @@ Json SensorsValue(const RobotModel& model) {
 }
 
 Json PhysicsValue(const PhysicsOptions& physics) {
-  return {{"step", physics.step},
-          {"gravity", physics.gravity},
-          {"friction", physics.friction},
-          {"slip", physics.slip},
-          {"robot_kp", physics.robot_kp},
-          {"robot_kd", physics.robot_kd},
-          {"ground_kp", physics.ground_kp},
-          {"ground_kd", physics.ground_kd},
+  return {{"step", physics.step},           {"gravity", physics.gravity},
+          {"friction", physics.friction},   {"slip", physics.slip},
+          {"robot_kp", physics.robot_kp},   {"robot_kd", physics.robot_kd},
+          {"ground_kp", physics.ground_kp}, {"ground_kd", physics.ground_kd},
           {"damping", physics.damping}};
 }
 

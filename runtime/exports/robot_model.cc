@@ -87,8 +87,8 @@ std::string NotesOn(const RobotModel& model) {
       "Robot {}, developed in {}; written by plsc export.\n"
       "Metres, kilograms, seconds, radians; x right, y front, z up.\n"
       "A servo's motor holds a speed with up to {} N m. plsc sets that speed\n"
-      "{} times a second to {} (target - angle), -{} to {} rad/s; the\n"
-      "targets are in plsc export --to controller-c, or controller-json.",
+      "{} times a second to {} (target - angle), -{} to {} rad/s; targets\n"
+      "are in the exports controller-c and controller-json.",
       model.name, model.environment, servo.max_torque, servo.update_rate,
       servo.gain, servo.max_speed, servo.max_speed);
 }

@@ -19,10 +19,10 @@ namespace plsc {
 
 /// A touch sensor feels what meets its box.
 struct TouchSensor {
-  std::string name;     ///< "touch_1s2"
-  int module = 0;       ///< index into Body::modules
-  std::size_t link = 0; ///< index into Assembly::links
-  std::size_t box = 0;  ///< index into Link::boxes
+  std::string name;      ///< "touch_1s2"
+  int module = 0;        ///< index into Body::modules
+  std::size_t link = 0;  ///< index into Assembly::links
+  std::size_t box = 0;   ///< index into Link::boxes
 };
 
 /// Lengths, masses and inertias as in Assembly: in the robot's frame, the

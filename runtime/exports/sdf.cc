@@ -21,10 +21,10 @@ XmlElement Number(std::string name, double number) {
 }
 
 XmlElement Pose(const Vector3d& position, const Matrix3d& axes) {
-  return XmlText("pose", NumbersText(position) + " " +
-                             NumbersText(axes.isIdentity(0)
-                                             ? Vector3d::Zero().eval()
-                                             : FixedAngles(axes)));
+  return XmlText("pose",
+                 NumbersText(position) + " " +
+                     NumbersText(axes.isIdentity(0) ? Vector3d::Zero().eval()
+                                                    : FixedAngles(axes)));
 }
 
 XmlElement Inertial(const Link& link, const Vector3d& frame) {
@@ -48,20 +48,19 @@ struct SurfaceStiffness {
 
 XmlElement Surface(const PhysicsOptions& physics,
                    const SurfaceStiffness& stiffness) {
-  return {
-      "surface",
-      {},
-      {{"friction",
-        {},
-        {{"ode",
+  return {"surface",
           {},
-          {Number("mu", physics.friction), Number("mu2", physics.friction),
-           Number("slip1", physics.slip), Number("slip2", physics.slip)}}}},
-       {"contact",
-        {},
-        {{"ode",
-          {},
-          {Number("kp", stiffness.kp), Number("kd", stiffness.kd)}}}}}};
+          {{"friction",
+            {},
+            {{"ode",
+              {},
+              {Number("mu", physics.friction), Number("mu2", physics.friction),
+               Number("slip1", physics.slip), Number("slip2", physics.slip)}}}},
+           {"contact",
+            {},
+            {{"ode",
+              {},
+              {Number("kp", stiffness.kp), Number("kd", stiffness.kd)}}}}}};
 }
 
 XmlElement Coloured(const std::array<double, 3>& colour) {
@@ -90,13 +89,12 @@ XmlElement Imu() {
 
 XmlElement ContactSensor(const RobotModel& model, const TouchSensor& touch) {
   const Box& box = model.assembly.links[touch.link].boxes[touch.box];
-  return {
-      "sensor",
-      {{"name", touch.name}, {"type", "contact"}},
-      {XmlText("always_on", "true"),
-       {"contact",
-        {},
-        {XmlText("collision", BoxName(model.phenotype.body, box))}}}};
+  return {"sensor",
+          {{"name", touch.name}, {"type", "contact"}},
+          {XmlText("always_on", "true"),
+           {"contact",
+            {},
+            {XmlText("collision", BoxName(model.phenotype.body, box))}}}};
 }
 
 XmlElement LinkOf(const RobotModel& model, std::size_t index) {
@@ -110,8 +108,8 @@ XmlElement LinkOf(const RobotModel& model, std::size_t index) {
   for (const Box& box : link.boxes) {
     const auto module = static_cast<std::size_t>(box.module);
     XmlElement seen = Shape("visual", model, box, frame);
-    seen.children.push_back(Coloured(
-        AuthorsColour(model.phenotype.body.modules[module].type)));
+    seen.children.push_back(
+        Coloured(AuthorsColour(model.phenotype.body.modules[module].type)));
     XmlElement felt = Shape("collision", model, box, frame);
     felt.children.push_back(
         Surface(physics, {physics.robot_kp, physics.robot_kd}));
@@ -177,49 +175,52 @@ XmlElement Ground(const PhysicsOptions& physics) {
   const XmlElement plane{
       "geometry",
       {},
-      {{"plane", {}, {XmlText("normal", "0 0 1"), XmlText("size", "100 100")}}}};
-  return {"model",
+      {{"plane",
+        {},
+        {XmlText("normal", "0 0 1"), XmlText("size", "100 100")}}}};
+  return {
+      "model",
+      {{"name", "ground"}},
+      {XmlText("static", "true"),
+       {"link",
+        {{"name", "ground"}},
+        {{"collision",
           {{"name", "ground"}},
-          {XmlText("static", "true"),
-           {"link",
-            {{"name", "ground"}},
-            {{"collision",
-              {{"name", "ground"}},
-              {plane, Surface(physics, {physics.ground_kp, physics.ground_kd})}},
-             {"visual",
-              {{"name", "ground"}},
-              {plane, Coloured({0.8, 0.85, 0.8})}}}}}};
+          {plane, Surface(physics, {physics.ground_kp, physics.ground_kd})}},
+         {"visual",
+          {{"name", "ground"}},
+          {plane, Coloured({0.8, 0.85, 0.8})}}}}}};
 }
 
 XmlElement WorldElement(const RobotModel& model) {
   const PhysicsOptions& physics = model.options.physics;
-  return {"world",
-          {{"name", "flat"}},
-          {{"physics",
-            {{"name", "plsc"}, {"type", "ode"}},
-            {Number("max_step_size", physics.step),
-             Number("real_time_factor", 1)}},
-           XmlText("gravity", "0 0 " + NumberText(-physics.gravity)),
-           Plugin("physics", "Physics"),
-           Plugin("user-commands", "UserCommands"),
-           Plugin("scene-broadcaster", "SceneBroadcaster"),
-           Plugin("contact", "Contact"),
-           Plugin("imu", "Imu"),
-           {"light",
-            {{"name", "sun"}, {"type", "directional"}},
-            {XmlText("direction", "-0.5 0.1 -0.9")}},
-           Ground(physics),
-           ModelElement(model)}};
+  return {
+      "world",
+      {{"name", "flat"}},
+      {{"physics",
+        {{"name", "plsc"}, {"type", "ode"}},
+        {Number("max_step_size", physics.step), Number("real_time_factor", 1)}},
+       XmlText("gravity", "0 0 " + NumberText(-physics.gravity)),
+       Plugin("physics", "Physics"),
+       Plugin("user-commands", "UserCommands"),
+       Plugin("scene-broadcaster", "SceneBroadcaster"),
+       Plugin("contact", "Contact"),
+       Plugin("imu", "Imu"),
+       {"light",
+        {{"name", "sun"}, {"type", "directional"}},
+        {XmlText("direction", "-0.5 0.1 -0.9")}},
+       Ground(physics),
+       ModelElement(model)}};
 }
 
 }  // namespace
 
 std::string Sdf(const RobotModel& model, Surroundings surroundings) {
-  return PrintXml({"sdf",
-                   {{"version", "1.7"}},
-                   {surroundings == Surroundings::kFloor
-                        ? WorldElement(model)
-                        : ModelElement(model)}});
+  return PrintXml(
+      {"sdf",
+       {{"version", "1.7"}},
+       {surroundings == Surroundings::kFloor ? WorldElement(model)
+                                             : ModelElement(model)}});
 }
 
 }  // namespace plsc

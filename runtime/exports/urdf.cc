@@ -41,11 +41,19 @@ XmlElement Inertial(const Link& link, const Vector3d& frame) {
              {"izz", NumberText(i(2, 2))}}}}};
 }
 
+/// Gazebo's reader takes shapes that are not named after their link for those
+/// of another link, fixed to it, and forgets their friction.
+std::string ShapeName(const RobotModel& model, std::size_t link,
+                      const Box& box) {
+  return model.links[link] + "_" + BoxName(model.phenotype.body, box);
+}
+
 /// A box as it is seen ("visual") or felt ("collision").
-XmlElement Shape(const char* kind, const RobotModel& model, const Box& box,
-                 const Vector3d& frame) {
+XmlElement Shape(const char* kind, const RobotModel& model, std::size_t link,
+                 const Box& box) {
+  const Vector3d frame = FrameOf(model.assembly, link);
   return {kind,
-          {{"name", BoxName(model.phenotype.body, box)}},
+          {{"name", ShapeName(model, link, box)}},
           {Origin(box.centre - frame, box.axes),
            {"geometry", {}, {{"box", {{"size", NumbersText(box.size)}}}}}}};
 }
@@ -62,10 +70,10 @@ XmlElement LinkElement(const RobotModel& model, std::size_t index) {
   XmlElement element{
       "link", {{"name", model.links[index]}}, {Inertial(link, frame)}};
   for (const Box& box : link.boxes) {
-    XmlElement seen = Shape("visual", model, box, frame);
+    XmlElement seen = Shape("visual", model, index, box);
     seen.children.push_back({"material", {{"name", MaterialOf(model, box)}}});
     element.children.push_back(std::move(seen));
-    element.children.push_back(Shape("collision", model, box, frame));
+    element.children.push_back(Shape("collision", model, index, box));
   }
   return element;
 }
@@ -102,10 +110,13 @@ XmlElement Transmission(const RobotModel& model, std::size_t hinge) {
             {speed, XmlText("mechanicalReduction", "1")}}}};
 }
 
-/// Gazebo's name of a collision of the URDF: it takes the link's, the first
-/// as it is, and numbers the others.
-std::string CollisionInGazebo(const std::string& link, const std::string& box) {
-  return link + "_collision_" + box;
+/// Gazebo's name of the shape that a touch sensor feels: it numbers those of a
+/// link, but for the first.
+std::string CollisionInGazebo(const RobotModel& model,
+                              const TouchSensor& touch) {
+  const Box& box = model.assembly.links[touch.link].boxes[touch.box];
+  return ShapeName(model, touch.link, box) + "_collision" +
+         (touch.box == 0 ? "" : "_" + std::to_string(touch.box));
 }
 
 XmlElement GazeboSensor(const std::string& name, const std::string& type,
@@ -125,26 +136,24 @@ XmlElement ForGazebo(const RobotModel& model, std::size_t index) {
                      XmlText("mu2", NumberText(physics.friction)),
                      XmlText("kp", NumberText(physics.robot_kp)),
                      XmlText("kd", NumberText(physics.robot_kd))}};
-  if (index == 0)
-    gazebo.children.push_back(GazeboSensor(kImuName, "imu", {}));
+  if (index == 0) gazebo.children.push_back(GazeboSensor(kImuName, "imu", {}));
   for (const TouchSensor& touch : model.touch_sensors)
     if (touch.link == index)
       gazebo.children.push_back(GazeboSensor(
           touch.name, "contact",
           {{"contact",
             {},
-            {XmlText("collision",
-                     CollisionInGazebo(model.links[index], BoxName(model.phenotype.body, model.assembly.links[index].boxes[touch.box])))}}}));
+            {XmlText("collision", CollisionInGazebo(model, touch))}}}));
   return gazebo;
 }
 
 XmlElement Material(ModuleType type) {
   const auto colour = AuthorsColour(type);
-  return {"material",
-          {{"name", "plsc_" + std::string(ModuleName(type))}},
-          {{"color",
-            {{"rgba",
-              NumbersText({colour[0], colour[1], colour[2]}) + " 1"}}}}};
+  return {
+      "material",
+      {{"name", "plsc_" + std::string(ModuleName(type))}},
+      {{"color",
+        {{"rgba", NumbersText({colour[0], colour[1], colour[2]}) + " 1"}}}}};
 }
 
 }  // namespace
