@@ -1,6 +1,7 @@
 // Options and help of the command that writes files for other programs.
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 
 #include "runtime/cli/arguments_commands.h"
 
@@ -8,18 +9,24 @@ namespace plsc::cli {
 
 namespace {
 
-std::map<std::string, ExportFormat> FormatsByName() {
-  std::map<std::string, ExportFormat> formats;
-  for (const FormatNames& one : kExportFormats)
-    formats.emplace(one.name, one.format);
-  return formats;
-}
-
 std::string FormatList() {
   std::string list;
   for (const FormatNames& one : kExportFormats)
     list += (list.empty() ? "" : "|") + std::string(one.name);
   return list;
+}
+
+const FormatNames* FormatOf(const std::string& name) {
+  const auto* found =
+      std::find_if(kExportFormats.begin(), kExportFormats.end(),
+                   [&](const FormatNames& one) { return one.name == name; });
+  return found == kExportFormats.end() ? nullptr : found;
+}
+
+std::string CheckExportFormat(const std::string& name) {
+  return FormatOf(name) != nullptr
+             ? ""
+             : "expected " + FormatList() + ", found '" + name + "'";
 }
 
 constexpr const char* kExportFooter =
@@ -80,9 +87,13 @@ CLI::App* AddExport(CLI::App& app, ExportCommand& command) {
                   "(- is standard input), too")
       ->required();
   CLI::Option* to =
-      sub->add_option("--to", command.to, "a robot, as " + FormatList())
-          ->transform(CLI::CheckedTransformer(FormatsByName()))
-          ->type_name(FormatList())
+      sub->add_option_function<std::string>(
+             "--to",
+             [&command](const std::string& name) {
+               command.to = FormatOf(name)->format;
+             },
+             "a robot, as " + FormatList())
+          ->check(CheckExportFormat)
           ->option_text("FORMAT");
   CLI::Option* csv =
       sub->add_option("--csv", command.csv_folder,
