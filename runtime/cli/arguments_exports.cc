@@ -86,15 +86,14 @@ CLI::App* AddExport(CLI::App& app, ExportCommand& command) {
                   "the store that plsc evolve made; for --to a genotype file "
                   "(- is standard input), too")
       ->required();
-  CLI::Option* to =
-      sub->add_option_function<std::string>(
-             "--to",
-             [&command](const std::string& name) {
-               command.to = FormatOf(name)->format;
-             },
-             "a robot, as " + FormatList())
-          ->check(CheckExportFormat)
-          ->option_text("FORMAT");
+  CLI::Option* to = sub->add_option_function<std::string>(
+                           "--to",
+                           [&command](const std::string& name) {
+                             command.to = FormatOf(name)->format;
+                           },
+                           "a robot, as " + FormatList())
+                        ->check(CheckExportFormat)
+                        ->option_text("FORMAT");
   CLI::Option* csv =
       sub->add_option("--csv", command.csv_folder,
                       "a run, a table a file, with a header, into this folder")

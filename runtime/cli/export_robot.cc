@@ -83,6 +83,7 @@ bool AsksFolder(const std::string& path) {
 
 Exit AskForOne(const std::vector<RobotModel>& models, Io& io) {
   std::vector<std::string> names;
+  names.reserve(models.size());
   for (const RobotModel& model : models) names.push_back(model.environment);
   io.err << fmt::format(
       "plsc: {} robots, a file each (in {}); choose one with --env, or name a "

@@ -156,8 +156,16 @@ XmlElement SpeedCommand(const std::string& joint) {
   return plugin;
 }
 
+/// SDFormat keeps "world" and what stands between two "__" to itself.
+std::string NameOf(const RobotModel& model) {
+  const std::string& name = model.name;
+  const bool is_reserved =
+      name == "world" || (name.starts_with("__") && name.ends_with("__"));
+  return is_reserved ? "robot_" + name : name;
+}
+
 XmlElement ModelElement(const RobotModel& model) {
-  XmlElement element{"model", {{"name", model.name}}};
+  XmlElement element{"model", {{"name", NameOf(model)}}};
   auto& parts = element.children;
   parts.push_back(XmlComment(NotesOn(model) + "\n" + kNotes));
   parts.push_back(Pose(model.start.position, model.start.axes));
@@ -171,6 +179,9 @@ XmlElement ModelElement(const RobotModel& model) {
   return element;
 }
 
+// No genotype has a hyphen in its name.
+constexpr const char* kGroundName = "ground-plane";
+
 XmlElement Ground(const PhysicsOptions& physics) {
   const XmlElement plane{
       "geometry",
@@ -180,7 +191,7 @@ XmlElement Ground(const PhysicsOptions& physics) {
         {XmlText("normal", "0 0 1"), XmlText("size", "100 100")}}}};
   return {
       "model",
-      {{"name", "ground"}},
+      {{"name", kGroundName}},
       {XmlText("static", "true"),
        {"link",
         {{"name", "ground"}},

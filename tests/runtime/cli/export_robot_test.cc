@@ -16,15 +16,13 @@ using test::RunPlsc;
 using test::TemporaryFolder;
 using Files = std::vector<std::string>;
 
-TEST_CASE("export --to prints the robot of one environment",
-          "[export_robot]") {
+TEST_CASE("export --to prints the robot of one environment", "[export_robot]") {
   const TemporaryFolder folder;
   const std::string file = folder.Write("robot.pls", test::kPlasticText);
   for (const FormatNames& format : kExportFormats) {
     const std::string name(format.name);
     INFO(name);
-    const auto flat =
-        RunPlsc({"export", file, "--env", "flat", "--to", name});
+    const auto flat = RunPlsc({"export", file, "--env", "flat", "--to", name});
     CHECK(flat.exit == 0);
     CHECK(flat.err.empty());
     CHECK_FALSE(flat.out.empty());
@@ -35,8 +33,8 @@ TEST_CASE("export --to prints the robot of one environment",
                   test::kPlasticText)
               .out == flat.out);
     const std::string output = folder / "robot.out";
-    const auto written = RunPlsc(
-        {"export", file, "--env", "flat", "--to", name, "-o", output});
+    const auto written =
+        RunPlsc({"export", file, "--env", "flat", "--to", name, "-o", output});
     CHECK(written.exit == 0);
     CHECK(written.err == "wrote " + output + "\n");
     CHECK(ReadFile(output) == flat.out);
@@ -62,8 +60,7 @@ TEST_CASE("export --to writes the robots of several environments into a folder",
   CHECK(std::filesystem::exists(robots + "/plastic.inclined=True.json"));
   CHECK(std::filesystem::exists(robots + "/plastic.inclined=True-2.json"));
   // A folder that is there takes one robot, too.
-  CHECK(RunPlsc({"export", file, "--to", "urdf", "--env", "flat", "-o",
-                 robots})
+  CHECK(RunPlsc({"export", file, "--to", "urdf", "--env", "flat", "-o", robots})
             .err == "wrote " + robots + "/plastic.flat.urdf\n");
 }
 
@@ -89,8 +86,8 @@ TEST_CASE("export --to writes robots of runs, in the seasons they lived in",
           "[export_robot]") {
   const test::TinyRun& run = test::FinishedRun();
   const TemporaryFolder folder;
-  const auto best = RunPlsc(
-      {"export", run.path(), "best", "--to", "json", "--env", "hill"});
+  const auto best =
+      RunPlsc({"export", run.path(), "best", "--to", "json", "--env", "hill"});
   INFO(best.err);
   CHECK(best.exit == 0);
   const auto robot = nlohmann::json::parse(best.out);
@@ -224,8 +221,7 @@ TEST_CASE("Names of files hold no more of a name than file systems take",
   };
   CHECK(name_of("gecko", "hot=True,wet=False") ==
         "gecko.hot=True,wet=False.xml");
-  CHECK(name_of("robot_3", "../etc <\"&'> \n") ==
-        "robot_3.___etc________.xml");
+  CHECK(name_of("robot_3", "../etc <\"&'> \n") == "robot_3.___etc________.xml");
   CHECK(name_of("robot_3", std::string(1000, 'x')).size() == 112);
 }
 

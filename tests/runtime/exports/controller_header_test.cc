@@ -125,11 +125,11 @@ std::string Expected(const RobotModel& model) {
   return text + NamesInC(model) + "\n";
 }
 
-/// Odd ones, and of many robots every fifth; under names of their own.
+/// Odd ones, and of many robots every twelfth; under names of their own.
 std::vector<RobotModel> SomeModels() {
   std::vector<RobotModel> models;
   const auto& many = test::ManyModels();
-  for (std::size_t i = 0; i < many.size(); i += i < 4 ? 1 : 5) {
+  for (std::size_t i = 0; i < many.size(); i += i < 4 ? 1 : 12) {
     models.push_back(many[i]);
     models.back().name = fmt::format("{} robot", i);
     models.back().environment = "hot=True,*/ \\";

@@ -170,6 +170,17 @@ TEST_CASE("The world of an SDFormat file is plsc's", "[sdf]") {
   CHECK(friction->Get<double>("slip2") == physics.slip);
 }
 
+TEST_CASE("Any name of a genotype is a name of a model", "[sdf]") {
+  for (const char* name : {"ground", "world", "__x__", "core", "imu", "flat"}) {
+    INFO(name);
+    const RobotModel model = test::ModelOfBody(Cross(), name);
+    const ReadFile file(Sdf(model, Surroundings::kFloor));
+    CHECK(file.robot->Name().ends_with(name));
+    CHECK(file.root.WorldByIndex(0)->ModelNameExists(file.robot->Name()));
+    CHECK(file.root.WorldByIndex(0)->ModelByIndex(0)->Name() == "ground-plane");
+  }
+}
+
 TEST_CASE("A robot alone is a model without world", "[sdf]") {
   const RobotModel cross = test::ModelOfBody(Cross(), "cross");
   const ReadFile file(Sdf(cross, Surroundings::kNone));
