@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "tests/runtime/evolve/worker_helpers.h"
+#include "tests/sanitizer.h"
 
 namespace plsc {
 
@@ -249,12 +250,7 @@ TEST_CASE("A worker that dies before it gets a request is replaced",
 }
 
 // Its allocator needs more addresses than any limit leaves.
-#if defined(__has_feature)
-#define HAS_FEATURE(name) __has_feature(name)  // clang
-#else
-#define HAS_FEATURE(name) 0
-#endif
-#if !defined(__SANITIZE_ADDRESS__) && !HAS_FEATURE(address_sanitizer)
+#if !PLSC_HAS_ASAN
 TEST_CASE("A worker without memory is a death, not the end", "[workers]") {
   WorkerPool pool(1, [](const std::string& text) {
     if (text == "much") {
