@@ -176,6 +176,7 @@ Command ParseArguments(const std::vector<std::string>& arguments) {
   commands.Add(app, AddLint);
   commands.Add(app, AddRegulate);
   commands.Add(app, AddSimulate);
+  commands.Add(app, AddEvaluate);
   commands.Add(app, AddEvolve);
   commands.Add(app, AddShow);
   commands.Add(app, AddReplay);

@@ -15,6 +15,7 @@ namespace plsc::cli {
 CLI::App* AddCheck(CLI::App& app, CheckCommand& command);
 CLI::App* AddDevelop(CLI::App& app, DevelopCommand& command);
 CLI::App* AddDraw(CLI::App& app, DrawCommand& command);
+CLI::App* AddEvaluate(CLI::App& app, EvaluateCommand& command);
 CLI::App* AddEvolve(CLI::App& app, EvolveCommand& command);
 CLI::App* AddExplain(CLI::App& app, ExplainCommand& command);
 CLI::App* AddExport(CLI::App& app, ExportCommand& command);

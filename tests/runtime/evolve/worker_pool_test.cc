@@ -7,6 +7,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <array>
 #include <catch2/catch.hpp>
 #include <cerrno>
 #include <map>
@@ -151,6 +152,29 @@ TEST_CASE("What kills two workers is reported and not tried again",
       CHECK(pool.workers() == 2);
     }
   }
+}
+
+TEST_CASE("Another descriptor that can be read hides no answer", "[workers]") {
+  std::array<int, 2> ends{};
+  REQUIRE(pipe(ends.data()) == 0);
+  REQUIRE(write(ends[1], "x", 1) == 1);
+  WorkerPool pool(2, [](const std::string& text) {
+    if (text == "never") pause();
+    return "<" + text + ">";
+  });
+  pool.WakeOn(ends[0]);
+  pool.Submit(0, "never");
+  CHECK(pool.Wait(kPatience).empty());  // comes back for the byte
+  CHECK(pool.outstanding() == 1);
+  for (int i = 1; i < 20; ++i) pool.Submit(i, std::to_string(i));
+  std::map<int, std::string> answers;
+  while (answers.size() < 19)
+    for (const Reply& reply : pool.Wait(kPatience))
+      answers[reply.ticket] = *reply.answer;
+  for (const auto& [ticket, answer] : answers)
+    CHECK(answer == "<" + std::to_string(ticket) + ">");
+  close(ends[0]);
+  close(ends[1]);
 }
 
 TEST_CASE("Requests that nobody has begun can be cancelled", "[workers]") {
