@@ -38,7 +38,7 @@ apt-get -qq install -y --no-install-recommends /libplsc-dev_*.deb >/log 2>&1 ||
 cmake -S /embed -B /build >/dev/null
 cmake --build /build
 /build/embed /climber.pls
-apt-get -qq purge -y plsc >/dev/null
-! command -v plsc
+apt-get -qq purge -y plsc >/log 2>&1 || { tail -n 5 /log >&2; exit 1; }
+[ ! -e /usr/bin/plsc ]
 INSIDE
 echo "installed, run and removed in a bare Debian 12"
