@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "runtime/cli/io.h"
+#include "runtime/exports/export_format.h"
 
 namespace plsc::cli {
 
@@ -45,10 +46,17 @@ struct ExplainCommand {
 };
 
 struct ExportCommand {
-  std::string file;        ///< the store of a run
+  std::string file;        ///< the store of a run; a genotype file for `to`
   std::string csv_folder;  ///< empty: none
   bool jsonl = false;
-  std::string output;  ///< of --jsonl; empty: standard output
+  std::optional<ExportFormat> to;         ///< a robot instead of the run
+  std::string individual;                 ///< of `to`; as RobotAsked's
+  std::vector<std::string> environments;  ///< of `to`; as DevelopCommand's
+  bool alone = false;                     ///< of `to`: without floor
+  bool allow_range = false;               ///< of `to`
+  /// Of --jsonl or --to; empty: standard output. A folder if there are several
+  /// environments.
+  std::string output;
   bool force = false;  ///< overwrites files
 };
 
