@@ -30,6 +30,11 @@ std::string Sentence(const ItemClash& clash, const MergeLabels& labels) {
     case ClashKind::kAmbiguous:
       return "equal neighbours were changed, and the order of the merge cannot "
              "be told";
+    case ClashKind::kBothMoved:
+      return fmt::format(
+          "'{}' changes places with one symbol in {} and with "
+          "another in {}",
+          clash.base, labels.ours, labels.theirs);
     case ClashKind::kBothChanged:
     case ClashKind::kDeletedAndChanged:
       break;

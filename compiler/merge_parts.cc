@@ -14,6 +14,7 @@ namespace {
 constexpr int kOne = 12;        // to delete or to insert
 constexpr int kOtherName = 10;  // below that, and twice below two of them
 constexpr int kSameName = 1;    // some value is another
+constexpr int kNewConnective = 1;
 constexpr int kOtherValue = 2;  // each; a symbol has at most four
 
 const WrittenPart* PartAt(const std::vector<WrittenPart>& parts, int index) {
@@ -109,9 +110,11 @@ int ReplacementCost(const PartContent& from, const PartContent& to) {
   for (std::size_t i = 0; i < from.values.size(); ++i) {
     const std::string& a = from.values[i];
     const std::string& b = to.values[i];
-    if (a != b) cost += a.empty() || b.empty() ? 1 : kOtherValue;
+    if (a == b || b.empty()) continue;
+    cost += a.empty() ? kNewConnective : kOtherValue;
   }
-  return std::min(cost, kOtherName);
+  // Only a connective was lost: of equal terms nobody guesses which one went.
+  return cost == kSameName ? 0 : std::min(cost, kOtherName);
 }
 
 std::string PartText(const PartContent& content) {

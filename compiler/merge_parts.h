@@ -24,8 +24,9 @@ struct PartClash {
 
 /// What changes of parts cost: one value less than a name, a name less than a
 /// deletion and an insertion, so that parts that changed places are found to
-/// have been replaced where they stand. Terms take and lose their connective
-/// cheaply.
+/// have been replaced where they stand. A term that becomes the first loses its
+/// connective for nothing; to take one costs little, since terms are added
+/// behind others.
 int ReplacementCost(const PartContent& from, const PartContent& to);
 
 /// Parts that are known by their names: other names never become each other.

@@ -1,7 +1,7 @@
 #include "compiler/sequence_edit.h"
 
 #include <algorithm>
-#include <cstdint>
+#include <map>
 
 namespace plsc {
 
@@ -135,6 +135,27 @@ SequenceEdit FindEdit(std::size_t base_size, std::size_t other_size,
   for (std::size_t gap = 0; gap <= base_rest; ++gap) {
     edit.inserted[middle.begin + gap] = inner.inserted[gap];
     for (int& j : edit.inserted[middle.begin + gap]) j += offset;
+  }
+  return edit;
+}
+
+SequenceEdit FindSwaps(SequenceEdit edit, std::span<const int> base,
+                       std::span<const int> other) {
+  // By what an element was and what it became: those not yet paired.
+  std::map<std::pair<int, int>, std::vector<std::size_t>> open;
+  for (std::size_t i = 0; i < base.size(); ++i) {
+    if (edit.becomes[i] == kNoElement) continue;
+    const int now = other[static_cast<std::size_t>(edit.becomes[i])];
+    if (now == base[i]) continue;
+    const auto partner = open.find({now, base[i]});
+    if (partner == open.end() || partner->second.empty()) {
+      open[{base[i], now}].push_back(i);
+      continue;
+    }
+    const std::size_t first = partner->second.back();
+    partner->second.pop_back();
+    std::swap(edit.becomes[first], edit.becomes[i]);
+    edit.swapped.emplace_back(static_cast<int>(first), static_cast<int>(i));
   }
   return edit;
 }

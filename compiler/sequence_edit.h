@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <functional>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace plsc {
@@ -22,6 +23,9 @@ struct SequenceEdit {
   /// By gap, the one before base element 0 first and the one behind the last
   /// at the end (n + 1): what was inserted there, in order.
   std::vector<std::vector<int>> inserted;
+  /// Pairs of base elements that stand in each other's place; `becomes` says
+  /// where each went. None unless FindSwaps looked for them.
+  std::vector<std::pair<int, int>> swapped{};
 
   friend bool operator==(const SequenceEdit&, const SequenceEdit&) = default;
 };
@@ -43,6 +47,11 @@ enum class EditPreference : unsigned char { kEarly, kLate };
 /// their equal beginnings and ends, elements there are paired in order.
 SequenceEdit FindEdit(std::size_t base_size, std::size_t other_size,
                       const EditCosts& costs, EditPreference preference);
+
+/// Takes two elements that were each replaced by the other for ones that moved.
+/// `base` and `other` are the contents, equal numbers being equal contents.
+SequenceEdit FindSwaps(SequenceEdit edit, std::span<const int> base,
+                       std::span<const int> other);
 
 /// 2,000 by 2,000 elements: 20 MB and some milliseconds. Rules of evolution
 /// have tens of symbols.

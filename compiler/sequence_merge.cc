@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cassert>
+#include <numeric>
 #include <utility>
 
 namespace plsc {
@@ -19,18 +19,45 @@ class EditMerger {
  public:
   EditMerger(const SequenceVersions& versions, const SequenceEdit& ours,
              const SequenceEdit& theirs)
-      : versions_(versions), ours_(ours), theirs_(theirs) {}
+      : versions_(versions),
+        ours_(ours),
+        theirs_(theirs),
+        at_place_(versions.base.size()),
+        is_torn_(versions.base.size(), false) {
+    std::iota(at_place_.begin(), at_place_.end(), std::size_t{0});
+    MergeSwaps();
+  }
 
   SequenceMerge Run() {
     const std::size_t size = versions_.base.size();
     for (std::size_t i = 0; i <= size; ++i) {
       MergeGap(i);
-      if (i < size) MergeElement(i);
+      if (i < size) MergeElement(at_place_[i]);
     }
     return std::move(merge_);
   }
 
  private:
+  // Swaps of both sides happen unless they move the same element elsewhere.
+  void MergeSwaps() {
+    std::vector<bool> is_moved(at_place_.size(), false);
+    const auto swap = [&](const std::pair<int, int>& pair) {
+      const auto a = static_cast<std::size_t>(pair.first);
+      const auto b = static_cast<std::size_t>(pair.second);
+      if (is_moved[a] || is_moved[b]) {
+        is_torn_[a] = is_torn_[b] = true;
+        return;
+      }
+      is_moved[a] = is_moved[b] = true;
+      std::swap(at_place_[a], at_place_[b]);
+    };
+    for (const auto& pair : ours_.swapped) swap(pair);
+    for (const auto& pair : theirs_.swapped)
+      if (std::find(ours_.swapped.begin(), ours_.swapped.end(), pair) ==
+          ours_.swapped.end())
+        swap(pair);
+  }
+
   // Gap `i` is before base element i.
   void MergeGap(std::size_t i) {
     const std::vector<int>& ours = ours_.inserted[i];
@@ -73,12 +100,15 @@ class EditMerger {
       if (is_kept || ours == theirs) return;  // deleted by one, or by both
       element.clash = ClashKind::kDeletedAndChanged;
     }
+    if (is_torn_[i]) element.clash = ClashKind::kBothMoved;
     merge_.push_back(element);
   }
 
   const SequenceVersions& versions_;
   const SequenceEdit& ours_;
   const SequenceEdit& theirs_;
+  std::vector<std::size_t> at_place_;  // which base element stands there
+  std::vector<bool> is_torn_;          // by base element
   SequenceMerge merge_;
 };
 
@@ -113,8 +143,9 @@ SequenceMerge MergeSequences(const SequenceVersions& versions,
     std::vector<SequenceEdit> found;
     for (const auto preference :
          {EditPreference::kEarly, EditPreference::kLate})
-      found.push_back(
-          FindEdit(versions.base.size(), other.size(), costs, preference));
+      found.push_back(FindSwaps(
+          FindEdit(versions.base.size(), other.size(), costs, preference),
+          versions.base, other));
     if (found.front() == found.back()) found.pop_back();
     return found;
   };

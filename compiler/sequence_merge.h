@@ -16,6 +16,7 @@ namespace plsc {
 
 enum class ClashKind : std::uint8_t {
   kBothChanged,          ///< one thing in two ways; found by who merges parts
+  kBothMoved,            ///< to different places
   kBothInserted,         ///< different elements into one gap
   kDeletedAndChanged,    ///< one side deleted what the other changed
   kInsertedIntoDeleted,  ///< between elements that the other side deleted

@@ -41,7 +41,7 @@ void Count(std::uint64_t number, Counts& counts) {
   if (!merged.conflicts.empty()) {
     ++counts.conflicts;
     counts.avoidable += pair.composed.has_value();
-    if (counts.conflicts <= 20)
+    if (counts.conflicts <= 10)
       fmt::print(
           "  {} {}+{}{} {}\n", number, MutationName(pair.our_mutation.kind),
           MutationName(pair.their_mutation.kind),

@@ -14,9 +14,9 @@ using Index = std::ptrdiff_t;
 
 // What a mutation did to the elements of a list.
 struct Step {
-  enum class Kind { kDelete, kInsert, kSwap } kind{};
-  Index at = 0;  // of kInsert: before which element
-  Index with = 0;
+  enum class Kind { kDelete, kInsert, kSwap, kMove } kind{};
+  Index at = 0;    // of kInsert: before which element
+  Index with = 0;  // of kSwap; of kMove: the place in what is left
   Symbol symbol{};
 };
 
@@ -32,6 +32,12 @@ Symbols Apply(Symbols symbols, const Step& step) {
       std::swap(symbols[static_cast<std::size_t>(step.at)],
                 symbols[static_cast<std::size_t>(step.with)]);
       break;
+    case Step::Kind::kMove: {
+      const Symbol moved = symbols[static_cast<std::size_t>(step.at)];
+      symbols.erase(symbols.begin() + step.at);
+      symbols.insert(symbols.begin() + step.with, moved);
+      break;
+    }
   }
   return symbols;
 }
@@ -63,8 +69,11 @@ std::optional<Index> ElementAfter(Index at, const Step& done) {
     case Step::Kind::kInsert:
       return at >= done.at ? at + 1 : at;
     case Step::Kind::kSwap:
-      if (at == done.at || at == done.with) return std::nullopt;
+      if (at == done.at) return done.with;
+      if (at == done.with) return done.at;
       return at;
+    case Step::Kind::kMove:
+      break;
   }
   return std::nullopt;
 }
@@ -79,20 +88,39 @@ std::optional<Index> GapAfter(Index at, const Step& done) {
       return at > done.at ? at + 1 : at;
     case Step::Kind::kSwap:
       return at;
+    case Step::Kind::kMove:
+      break;
   }
   return std::nullopt;
 }
 
+// Two swaps of one element do not go together; of a swap with an element that
+// was deleted, the other one still moves to where that was.
+std::optional<Step> SwapAfter(const Step& step, const Step& done) {
+  const auto is_of_swap = [&](Index at) {
+    return at == step.at || at == step.with;
+  };
+  if (done.kind == Step::Kind::kSwap &&
+      (is_of_swap(done.at) || is_of_swap(done.with)))
+    return std::nullopt;
+  if (done.kind == Step::Kind::kDelete && is_of_swap(done.at)) {
+    const Index left = done.at == step.at ? step.with : step.at;
+    if (left > done.at) return Step{Step::Kind::kMove, left - 1, done.at, {}};
+    return Step{Step::Kind::kMove, left, done.at - 1, {}};
+  }
+  return Step{Step::Kind::kSwap,
+              *ElementAfter(step.at, done),
+              *ElementAfter(step.with, done),
+              {}};
+}
+
 std::optional<Step> After(Step step, const Step& done) {
+  if (step.kind == Step::Kind::kSwap) return SwapAfter(step, done);
   const auto at = step.kind == Step::Kind::kInsert
                       ? GapAfter(step.at, done)
                       : ElementAfter(step.at, done);
-  const auto with = step.kind == Step::Kind::kSwap
-                        ? ElementAfter(step.with, done)
-                        : std::optional<Index>(0);
-  if (!at || !with) return std::nullopt;
+  if (!at) return std::nullopt;
   step.at = *at;
-  step.with = *with;
   return step;
 }
 
