@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
 
 #include "compiler/merge_text.h"
+#include "compiler/written_rules.h"
 
 namespace plsc {
 
@@ -20,35 +20,6 @@ constexpr int kOtherValue = 2;  // each; a symbol has at most four
 const WrittenPart* PartAt(const std::vector<WrittenPart>& parts, int index) {
   if (index == kNoElement) return nullptr;
   return &parts[static_cast<std::size_t>(index)];
-}
-
-// Numbers for contents, equal ones for equal contents.
-class ContentNumbers {
- public:
-  std::vector<int> Of(const std::vector<WrittenPart>& parts) {
-    std::vector<int> numbers;
-    numbers.reserve(parts.size());
-    for (const WrittenPart& part : parts)
-      numbers.push_back(numbers_
-                            .emplace(PartText(part.content),
-                                     static_cast<int>(numbers_.size()))
-                            .first->second);
-    return numbers;
-  }
-
- private:
-  std::map<std::string, int> numbers_;
-};
-
-EditCosts CostsOf(const std::vector<WrittenPart>& from,
-                  const std::vector<WrittenPart>& to, PartIdentity identity) {
-  const bool is_by_name = identity == PartIdentity::kName;
-  return {kOne, [&from, &to, is_by_name](std::size_t i, std::size_t j) {
-            const PartContent& a = from[i].content;
-            const PartContent& b = to[j].content;
-            if (is_by_name && a.name != b.name) return 2 * kOne + 1;
-            return ReplacementCost(a, b);
-          }};
 }
 
 std::optional<PartContent> MergeContents(const PartContent& base,
@@ -117,6 +88,18 @@ int ReplacementCost(const PartContent& from, const PartContent& to) {
   return cost == kSameName ? 0 : std::min(cost, kOtherName);
 }
 
+EditCosts CostsOfParts(const std::vector<WrittenPart>& from,
+                       const std::vector<WrittenPart>& to,
+                       PartIdentity identity) {
+  const bool is_by_name = identity == PartIdentity::kName;
+  return {kOne, [&from, &to, is_by_name](std::size_t i, std::size_t j) {
+            const PartContent& a = from[i].content;
+            const PartContent& b = to[j].content;
+            if (is_by_name && a.name != b.name) return 2 * kOne + 1;
+            return ReplacementCost(a, b);
+          }};
+}
+
 std::string PartText(const PartContent& content) {
   if (content.values.empty()) return content.name;
   return fmt::format("{}({})", content.name, fmt::join(content.values, ", "));
@@ -136,8 +119,8 @@ MergedParts MergeParts(const PartVersions& versions, PartIdentity identity) {
                                   numbers.Of(*versions.ours),
                                   numbers.Of(*versions.theirs)};
   const SequenceMerge merge = MergeSequences(
-      contents, CostsOf(*versions.base, *versions.ours, identity),
-      CostsOf(*versions.base, *versions.theirs, identity));
+      contents, CostsOfParts(*versions.base, *versions.ours, identity),
+      CostsOfParts(*versions.base, *versions.theirs, identity));
   MergedParts merged;
   for (const MergedElement& element : merge) {
     const WrittenPart* base = PartAt(*versions.base, element.base);

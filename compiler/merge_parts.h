@@ -32,6 +32,11 @@ int ReplacementCost(const PartContent& from, const PartContent& to);
 /// Parts that are known by their names: other names never become each other.
 enum class PartIdentity : unsigned char { kPlace, kName };
 
+/// Of one list of parts becoming another; both must outlive the costs.
+EditCosts CostsOfParts(const std::vector<WrittenPart>& from,
+                       const std::vector<WrittenPart>& to,
+                       PartIdentity identity);
+
 struct PartVersions {
   const std::vector<WrittenPart>* base = nullptr;
   const std::vector<WrittenPart>* ours = nullptr;

@@ -11,25 +11,10 @@
 #include "compiler/merge_order.h"
 #include "compiler/merge_section.h"
 #include "compiler/merge_text.h"
-#include "grammar/parse.h"
 
 namespace plsc {
 
 namespace {
-
-WrittenFile Read(const Source& source) {
-  const bool is_empty =
-      source.text().find_first_not_of(" \t\r\n") == std::string_view::npos;
-  if (is_empty) return {};
-  return CutIntoItems(Parse(source).file);
-}
-
-std::size_t GenotypesOf(const WrittenFile& file) {
-  return static_cast<std::size_t>(std::count_if(
-      file.items.begin(), file.items.end(), [](const WrittenItem& item) {
-        return item.kind == ast::ItemKind::kGenotype;
-      }));
-}
 
 bool SaysTheSame(const WrittenSection& a, const WrittenSection& b) {
   return std::equal(a.items.begin(), a.items.end(), b.items.begin(),
@@ -63,8 +48,8 @@ class FileMerger {
   FileMerger(const WrittenFile& base, const WrittenFile& ours,
              const WrittenFile& theirs, const MergeLabels& labels)
       : ends_{base.end, ours.end, theirs.end}, labels_(labels) {
-    const bool is_split = std::max({GenotypesOf(base), GenotypesOf(ours),
-                                    GenotypesOf(theirs)}) > 1;
+    const bool is_split = std::max({CountGenotypes(base), CountGenotypes(ours),
+                                    CountGenotypes(theirs)}) > 1;
     base_ = SectionsOf(base, is_split);
     ours_ = SectionsOf(ours, is_split);
     theirs_ = SectionsOf(theirs, is_split);
@@ -226,9 +211,9 @@ class FileMerger {
 
 MergedFile MergeFiles(const Source& base, const Source& ours,
                       const Source& theirs, const MergeLabels& labels) {
-  const WrittenFile old_file = Read(base);
-  const WrittenFile our_file = Read(ours);
-  const WrittenFile their_file = Read(theirs);
+  const WrittenFile old_file = ReadItems(base);
+  const WrittenFile our_file = ReadItems(ours);
+  const WrittenFile their_file = ReadItems(theirs);
   return FileMerger(old_file, our_file, their_file, labels).Run();
 }
 

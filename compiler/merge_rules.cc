@@ -1,40 +1,12 @@
 #include "compiler/merge_rules.h"
 
 #include <map>
-#include <string>
 
 #include "compiler/rule_shape.h"
 
 namespace plsc {
 
 namespace {
-
-// Equal texts get equal numbers.
-class TextNumbers {
- public:
-  int Of(const std::string& text) {
-    return numbers_.emplace(text, static_cast<int>(numbers_.size()))
-        .first->second;
-  }
-
- private:
-  std::map<std::string, int> numbers_;
-};
-
-std::vector<RuleShape> ShapesOf(const WrittenRules& rules,
-                                TextNumbers& numbers) {
-  std::vector<RuleShape> shapes;
-  for (const WrittenItem* rule : rules) {
-    RuleShape shape;
-    shape.clause = numbers.Of(rule->content);
-    for (const WrittenPart& part : rule->parts) {
-      shape.symbols.push_back(numbers.Of(PartText(part.content)));
-      shape.names.push_back(numbers.Of(part.content.name));
-    }
-    shapes.push_back(std::move(shape));
-  }
-  return shapes;
-}
 
 std::vector<int> ContentsOf(const std::vector<RuleShape>& shapes,
                             std::map<std::vector<int>, int>& numbers) {
@@ -57,7 +29,7 @@ const WrittenItem* RuleAt(const WrittenRules& rules, int index) {
 std::vector<MatchedRule> MatchRules(const WrittenRules& base,
                                     const WrittenRules& ours,
                                     const WrittenRules& theirs) {
-  TextNumbers texts;
+  ContentNumbers texts;
   const auto base_shapes = ShapesOf(base, texts);
   const auto our_shapes = ShapesOf(ours, texts);
   const auto their_shapes = ShapesOf(theirs, texts);

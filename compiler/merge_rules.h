@@ -7,12 +7,9 @@
 
 #include "compiler/merge_item.h"
 #include "compiler/sequence_merge.h"
+#include "compiler/written_rules.h"
 
 namespace plsc {
-
-/// The rules of one symbol in one version, in the order in which active ones
-/// are joined.
-using WrittenRules = std::vector<const WrittenItem*>;
 
 struct MatchedRule {
   ItemVersions versions;

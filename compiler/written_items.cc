@@ -5,6 +5,7 @@
 
 #include "compiler/item_text.h"
 #include "compiler/print.h"
+#include "grammar/parse.h"
 
 namespace plsc {
 
@@ -201,6 +202,19 @@ WrittenFile CutIntoItems(const ast::File& file) {
   }
   written.end = rest;
   return written;
+}
+
+WrittenFile ReadItems(const Source& source) {
+  if (source.text().find_first_not_of(" \t\r\n") == std::string_view::npos)
+    return {};
+  return CutIntoItems(Parse(source).file);
+}
+
+std::size_t CountGenotypes(const WrittenFile& file) {
+  return static_cast<std::size_t>(std::count_if(
+      file.items.begin(), file.items.end(), [](const WrittenItem& item) {
+        return item.kind == ast::ItemKind::kGenotype;
+      }));
 }
 
 std::string CoreText(const WrittenItem& item) {

@@ -5,6 +5,7 @@
 // another. A comment belongs to what it stands before, or behind on the same
 // line, as in compiler/layout.h.
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -52,8 +53,12 @@ struct WrittenFile {
   std::string end;                 ///< blanks and comments
 };
 
-/// Of a file that compiles, or an empty one.
+/// Of a file that parses without errors.
 WrittenFile CutIntoItems(const ast::File& file);
+/// Of a text that compiles, or an empty one.
+WrittenFile ReadItems(const Source& source);
+/// How many items `genotype` there are.
+std::size_t CountGenotypes(const WrittenFile& file);
 
 /// Without what stands before and after it.
 std::string CoreText(const WrittenItem& item);
