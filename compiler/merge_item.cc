@@ -167,6 +167,9 @@ class ItemMerger {
     for (const WrittenPart& part : merged.parts) {
       joiner.Append(part.before);
       joiner.Append(part.text);
+      const bool is_entry = identity == PartIdentity::kName;
+      const bool is_last = &part == &merged.parts.back();
+      if (is_entry && !is_last && !part.text.ends_with(',')) joiner.Append(",");
       joiner.Append(part.after);
     }
     joiner.Append(*close);

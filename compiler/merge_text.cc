@@ -50,6 +50,11 @@ void TextJoiner::Append(std::string_view piece) {
   const std::size_t first = piece.find_first_not_of(" \t\r");
   const bool begins_line =
       first != std::string_view::npos && piece[first] == '\n';
+  if (is_own_line_ && begins_line) {
+    is_own_line_ = false;
+    return Append(piece.substr(first + 1));
+  }
+  is_own_line_ = false;
   if (is_comment_ && !begins_line) Add("\n");
   if (!text_.empty() && IsOfWord(text_.back()) && IsOfWord(piece.front()))
     Add(" ");
@@ -60,6 +65,7 @@ void TextJoiner::AppendLine(std::string_view line) {
   if (column_ > 0) Add("\n");
   Add(line);
   Add("\n");
+  is_own_line_ = true;
 }
 
 void TextJoiner::Add(std::string_view piece) {

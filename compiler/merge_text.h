@@ -33,7 +33,8 @@ std::optional<std::string> MergeBlanks(std::string_view base,
 class TextJoiner {
  public:
   void Append(std::string_view piece);
-  /// A line of its own.
+  /// A line of its own; the end of the line that the next piece may begin with
+  /// is this one's.
   void AppendLine(std::string_view line);
   /// From 1: the line on which AppendLine would write.
   int next_line() const { return lines_ + (column_ > 0 ? 2 : 1); }
@@ -43,9 +44,10 @@ class TextJoiner {
   void Add(std::string_view piece);
 
   std::string text_;
-  int lines_ = 0;            // that ended
-  std::size_t column_ = 0;   // bytes of the last line
-  bool is_comment_ = false;  // whether the last line ends in one
+  int lines_ = 0;             // that ended
+  std::size_t column_ = 0;    // bytes of the last line
+  bool is_own_line_ = false;  // whether the last line was one of its own
+  bool is_comment_ = false;   // whether the last line ends in one
 };
 
 }  // namespace plsc

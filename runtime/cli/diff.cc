@@ -143,7 +143,18 @@ void PrintText(const Comparison& comparison, const DiffCommand& command,
   DifferenceStyle style;
   style.in_color = command.color == ColorChoice::kAlways ||
                    (command.color == ColorChoice::kAuto && io.out_in_color);
+  // Of genotypes that are new, or gone, nobody wants to read every symbol.
+  const auto is_whole = [&](const SectionChange& section) {
+    const bool is_only =
+        section.genotype.empty() && comparison.robots.size() == 1;
+    return std::any_of(comparison.robots.begin(), comparison.robots.end(),
+                       [&](const GenotypeDifference& one) {
+                         return one.kind != ItemChangeKind::kChanged &&
+                                (is_only || one.genotype == section.genotype);
+                       });
+  };
   for (const SectionChange& section : comparison.texts) {
+    if (is_whole(section)) continue;
     if (!section.genotype.empty()) io.out << section.genotype << ":\n";
     io.out << ItemChangesText(section.items, style);
   }
