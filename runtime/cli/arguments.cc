@@ -172,8 +172,10 @@ Command ParseArguments(const std::vector<std::string>& arguments) {
   commands.Add(app, AddFix);
   commands.Add(app, AddFmt);
   commands.Add(app, AddDevelop);
+  commands.Add(app, AddDiff);
   commands.Add(app, AddDraw);
   commands.Add(app, AddLint);
+  commands.Add(app, AddMerge);
   commands.Add(app, AddRegulate);
   commands.Add(app, AddSimulate);
   commands.Add(app, AddEvaluate);

@@ -14,6 +14,7 @@ namespace plsc::cli {
 
 CLI::App* AddCheck(CLI::App& app, CheckCommand& command);
 CLI::App* AddDevelop(CLI::App& app, DevelopCommand& command);
+CLI::App* AddDiff(CLI::App& app, DiffCommand& command);
 CLI::App* AddDraw(CLI::App& app, DrawCommand& command);
 CLI::App* AddEvaluate(CLI::App& app, EvaluateCommand& command);
 CLI::App* AddEvolve(CLI::App& app, EvolveCommand& command);
@@ -22,6 +23,7 @@ CLI::App* AddExport(CLI::App& app, ExportCommand& command);
 CLI::App* AddFix(CLI::App& app, FixCommand& command);
 CLI::App* AddFmt(CLI::App& app, FmtCommand& command);
 CLI::App* AddLint(CLI::App& app, LintCommand& command);
+CLI::App* AddMerge(CLI::App& app, MergeCommand& command);
 CLI::App* AddRandom(CLI::App& app, RandomCommand& command);
 CLI::App* AddReplay(CLI::App& app, ReplayCommand& command);
 CLI::App* AddReport(CLI::App& app, ReportCommand& command);

@@ -87,6 +87,16 @@ struct DevelopCommand {
 /// What a module's colour tells.
 enum class ColourBy : std::uint8_t { kType, kRule };
 
+struct DiffCommand {
+  /// OLD and NEW; what git passes to an external diff with `is_git`.
+  std::vector<std::string> files;
+  bool is_git = false;
+  std::vector<std::string> environments;  ///< as DevelopCommand's
+  OutputFormat format = OutputFormat::kText;
+  ColorChoice color = ColorChoice::kAuto;
+  bool allow_range = false;
+};
+
 struct DrawCommand {
   std::string file;        ///< a genotype file, or the store of a run
   std::string individual;  ///< of a run: an id or "best"; else empty
@@ -103,6 +113,19 @@ struct LintCommand {
   std::vector<std::string> files;
   OutputFormat format = OutputFormat::kText;
   bool deny = false;
+  bool allow_range = false;
+};
+
+struct MergeCommand {
+  std::string base;
+  std::string ours;
+  std::string theirs;
+  std::string output;               ///< empty: standard output
+  bool write_ours = false;          ///< instead
+  bool is_driver = false;           ///< likewise, as git wants it
+  int marker_size = 7;              ///< characters of a conflict marker
+  std::string path;                 ///< git's name of the file; empty: `ours`
+  std::vector<std::string> labels;  ///< of ours, base, theirs
   bool allow_range = false;
 };
 
@@ -241,6 +264,9 @@ using Command =
     std::variant<Answer, CheckCommand, DevelopCommand, DrawCommand,
                  EvaluateCommand, EvolveCommand, ExplainCommand, ExportCommand,
                  FixCommand, FmtCommand, LintCommand, RandomCommand,
+    std::variant<Answer, CheckCommand, DevelopCommand, DiffCommand, DrawCommand,
+                 EvolveCommand, ExplainCommand, ExportCommand, FixCommand,
+                 FmtCommand, LintCommand, MergeCommand, RandomCommand,
                  RegulateCommand, ReplayCommand, ReportCommand, ShowCommand,
                  SimulateCommand, StudyListCommand, StudyRunCommand,
                  StudyStatusCommand, TestCommand, ViewCommand, WhyCommand>;
@@ -256,8 +282,10 @@ Exit Run(const ExportCommand& command, Io& io);
 Exit Run(const FixCommand& command, Io& io);
 Exit Run(const FmtCommand& command, Io& io);
 Exit Run(const DevelopCommand& command, Io& io);
+Exit Run(const DiffCommand& command, Io& io);
 Exit Run(const DrawCommand& command, Io& io);
 Exit Run(const LintCommand& command, Io& io);
+Exit Run(const MergeCommand& command, Io& io);
 Exit Run(const RegulateCommand& command, Io& io);
 Exit Run(const ReplayCommand& command, Io& io);
 Exit Run(const ReportCommand& command, Io& io);
