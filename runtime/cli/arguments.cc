@@ -188,6 +188,11 @@ Command ParseArguments(const std::vector<std::string>& arguments) {
   commands.Add(app, AddWhy);
   commands.Add(app, AddTest);
   commands.Add(app, AddRandom);
+  commands.Add(app, AddMutate);
+  commands.Add(app, AddCross);
+  commands.Add(app, AddTrim);
+  commands.Add(app, AddStats);
+  commands.Add(app, AddHash);
 
   if (auto answer = UnknownCommand(app, arguments)) return *answer;
   try {

@@ -59,6 +59,32 @@ struct FmtCommand {
   bool compact = false;
 };
 
+/// Of the evolver's streams of random numbers (runtime/evolve/rng.h): those of
+/// the child that a run would bear then.
+struct StreamChoice {
+  std::uint64_t seed = 0;
+  std::uint64_t generation = 0;
+  std::uint64_t individual = 0;  ///< of the first child; the next has the next
+};
+
+enum class Shell : std::uint8_t { kBash, kZsh, kFish };
+
+struct CompletionCommand {
+  Shell shell = Shell::kBash;
+  std::string output;  ///< empty: standard output
+};
+
+struct CrossCommand {
+  std::string first;  ///< whose states, settings and environments stay
+  std::string second;
+  StreamChoice stream;
+  int count = 1;
+  std::string experiment;  ///< empty: the paper's
+  std::string output;      ///< empty: standard output
+  OutputFormat format = OutputFormat::kText;
+  bool allow_range = false;
+};
+
 struct DevelopCommand {
   std::string file;
   std::vector<std::string> environments;  ///< "a=True,b=False" or a name
@@ -83,10 +109,43 @@ struct DrawCommand {
   bool allow_range = false;
 };
 
+struct HashCommand {
+  std::vector<std::string> files;
+  bool phenotype = false;  ///< of the developed robots, one an environment
+  std::vector<std::string> environments;  ///< as DevelopCommand's
+  bool allow_range = false;
+};
+
+enum class ImportFormat : std::uint8_t { kAuto, kRepr, kLines };
+
+struct ImportCommand {
+  std::string file;
+  ImportFormat from = ImportFormat::kAuto;
+  std::string name;                  ///< of the genotype; empty: the file's
+  std::vector<std::string> renames;  ///< "hill=inclined"
+  std::string output;                ///< empty: standard output
+  bool force = false;                ///< overwrites files
+};
+
 struct LintCommand {
   std::vector<std::string> files;
   OutputFormat format = OutputFormat::kText;
   bool deny = false;
+  bool allow_range = false;
+};
+
+struct ManCommand {
+  std::vector<std::string> command;  ///< "study", "run"; empty: plsc itself
+  std::string all;                   ///< a folder for all pages; empty: none
+};
+
+struct MutateCommand {
+  std::string file;
+  StreamChoice stream;
+  int count = 1;
+  std::string experiment;  ///< empty: the paper's
+  std::string output;      ///< empty: standard output
+  OutputFormat format = OutputFormat::kText;
   bool allow_range = false;
 };
 
@@ -148,6 +207,22 @@ struct RandomCommand {
   int max_rules = 2;
   int max_terms = 2;
   std::string output;  ///< empty: standard output
+};
+
+struct StatsCommand {
+  std::vector<std::string> files;
+  std::vector<std::string> environments;  ///< as DevelopCommand's
+  OutputFormat format = OutputFormat::kText;
+  bool allow_range = false;
+};
+
+struct TrimCommand {
+  std::string file;
+  bool write = false;  ///< in place
+  std::string output;  ///< empty: standard output, unless `write`
+  bool check = false;
+  OutputFormat format = OutputFormat::kText;
+  bool allow_range = false;
 };
 
 struct ViewCommand {
@@ -222,12 +297,13 @@ struct Answer {
 };
 
 using Command =
-    std::variant<Answer, CheckCommand, DevelopCommand, DrawCommand,
-                 EvolveCommand, ExplainCommand, ExportCommand, FixCommand,
-                 FmtCommand, LintCommand, RandomCommand, RegulateCommand,
-                 ReplayCommand, ReportCommand, ShowCommand, SimulateCommand,
+    std::variant<Answer, CheckCommand, CrossCommand, DevelopCommand,
+                 DrawCommand, EvolveCommand, ExplainCommand, ExportCommand,
+                 FixCommand, FmtCommand, HashCommand, LintCommand,
+                 MutateCommand, RandomCommand, RegulateCommand, ReplayCommand,
+                 ReportCommand, ShowCommand, SimulateCommand, StatsCommand,
                  StudyListCommand, StudyRunCommand, StudyStatusCommand,
-                 TestCommand, ViewCommand, WhyCommand>;
+                 TestCommand, TrimCommand, ViewCommand, WhyCommand>;
 
 /// `arguments` without the program's name.
 Command ParseArguments(const std::vector<std::string>& arguments);
@@ -254,6 +330,11 @@ Exit Run(const RandomCommand& command, Io& io);
 Exit Run(const ViewCommand& command, Io& io);
 Exit Run(const WhyCommand& command, Io& io);
 Exit Run(const TestCommand& command, Io& io);
+Exit Run(const TrimCommand& command, Io& io);
+Exit Run(const StatsCommand& command, Io& io);
+Exit Run(const MutateCommand& command, Io& io);
+Exit Run(const HashCommand& command, Io& io);
+Exit Run(const CrossCommand& command, Io& io);
 
 /// The whole program, as tests call it.
 Exit Main(const std::vector<std::string>& arguments, Io& io);
