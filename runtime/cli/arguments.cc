@@ -188,6 +188,7 @@ Command ParseArguments(const std::vector<std::string>& arguments) {
   commands.Add(app, AddWhy);
   commands.Add(app, AddTest);
   commands.Add(app, AddRandom);
+  commands.Add(app, AddImport);
   commands.Add(app, AddMutate);
   commands.Add(app, AddCross);
   commands.Add(app, AddTrim);

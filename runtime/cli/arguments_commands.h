@@ -22,6 +22,7 @@ CLI::App* AddExport(CLI::App& app, ExportCommand& command);
 CLI::App* AddFix(CLI::App& app, FixCommand& command);
 CLI::App* AddFmt(CLI::App& app, FmtCommand& command);
 CLI::App* AddHash(CLI::App& app, HashCommand& command);
+CLI::App* AddImport(CLI::App& app, ImportCommand& command);
 CLI::App* AddLint(CLI::App& app, LintCommand& command);
 CLI::App* AddMutate(CLI::App& app, MutateCommand& command);
 CLI::App* AddRandom(CLI::App& app, RandomCommand& command);

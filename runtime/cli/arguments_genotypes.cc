@@ -111,6 +111,46 @@ CLI::App* AddHash(CLI::App& app, HashCommand& command) {
   return sub;
 }
 
+CLI::App* AddImport(CLI::App& app, ImportCommand& command) {
+  CLI::App* sub = app.add_subcommand(
+      "import", "Translate a genotype of the authors' program");
+  sub->add_option("FILE", command.file,
+                  "a genotype of Revolve; - is standard input")
+      ->required();
+  sub->add_option("--format", command.from,
+                  "auto (default) looks at the first character; repr: the one "
+                  "line of Python that Revolve exports; lines: the older form, "
+                  "a letter a line")
+      ->transform(CLI::CheckedTransformer(
+          std::map<std::string, ImportFormat>{{"auto", ImportFormat::kAuto},
+                                              {"repr", ImportFormat::kRepr},
+                                              {"lines", ImportFormat::kLines}}))
+      ->type_name("auto|repr|lines")
+      ->option_text("auto|repr|lines");
+  sub->add_option("--name", command.name,
+                  "of the genotype (default: the file's)")
+      ->option_text("NAME");
+  sub->add_option("--rename", command.renames,
+                  "OLD=NEW: call a state otherwise, as in hill=inclined; may "
+                  "be repeated")
+      ->option_text("OLD=NEW")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  sub->add_flag("--unjoin", command.unjoin,
+                "take off rules what Revolve joined to them in the level "
+                "season, where it can be seen");
+  AddOutput(sub, command.output);
+  AddRange(sub, command.allow_range);
+  sub->footer(
+      "Names become the paper's (AJ1 is A2, AJ2 is A1) and the parameters of "
+      "joints get\nits order, weight, amplitude, period, phase. What is lost "
+      "or was lost before is\nsaid in warnings (W5200). The formats hold no "
+      "settings: those of the paper are\nwritten.\n\n"
+      "  plsc import genotype_robot_12.txt --rename hill=inclined -o r12.pls\n"
+      "  plsc import old.txt --format lines | plsc develop -");
+  return sub;
+}
+
 CLI::App* AddMutate(CLI::App& app, MutateCommand& command) {
   CLI::App* sub = app.add_subcommand(
       "mutate", "Change one thing of a genotype at random, as evolution does");

@@ -124,7 +124,8 @@ struct ImportCommand {
   std::string name;                  ///< of the genotype; empty: the file's
   std::vector<std::string> renames;  ///< "hill=inclined"
   std::string output;                ///< empty: standard output
-  bool force = false;                ///< overwrites files
+  bool unjoin = false;
+  bool allow_range = false;
 };
 
 struct LintCommand {
@@ -296,14 +297,13 @@ struct Answer {
   std::string err;
 };
 
-using Command =
-    std::variant<Answer, CheckCommand, CrossCommand, DevelopCommand,
-                 DrawCommand, EvolveCommand, ExplainCommand, ExportCommand,
-                 FixCommand, FmtCommand, HashCommand, LintCommand,
-                 MutateCommand, RandomCommand, RegulateCommand, ReplayCommand,
-                 ReportCommand, ShowCommand, SimulateCommand, StatsCommand,
-                 StudyListCommand, StudyRunCommand, StudyStatusCommand,
-                 TestCommand, TrimCommand, ViewCommand, WhyCommand>;
+using Command = std::variant<
+    Answer, CheckCommand, CrossCommand, DevelopCommand, DrawCommand,
+    EvolveCommand, ExplainCommand, ExportCommand, FixCommand, FmtCommand,
+    HashCommand, ImportCommand, LintCommand, MutateCommand, RandomCommand,
+    RegulateCommand, ReplayCommand, ReportCommand, ShowCommand, SimulateCommand,
+    StatsCommand, StudyListCommand, StudyRunCommand, StudyStatusCommand,
+    TestCommand, TrimCommand, ViewCommand, WhyCommand>;
 
 /// `arguments` without the program's name.
 Command ParseArguments(const std::vector<std::string>& arguments);
@@ -334,6 +334,7 @@ Exit Run(const TrimCommand& command, Io& io);
 Exit Run(const StatsCommand& command, Io& io);
 Exit Run(const MutateCommand& command, Io& io);
 Exit Run(const HashCommand& command, Io& io);
+Exit Run(const ImportCommand& command, Io& io);
 Exit Run(const CrossCommand& command, Io& io);
 
 /// The whole program, as tests call it.
