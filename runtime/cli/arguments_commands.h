@@ -4,6 +4,9 @@
 // and help, which fill the struct. Shared by the arguments_*.cc files only,
 // the door to CLI11.
 
+#include <string>
+
+#include "runtime/cli/command_description.h"
 #include "runtime/cli/commands.h"
 
 namespace CLI {
@@ -13,6 +16,7 @@ class App;
 namespace plsc::cli {
 
 CLI::App* AddCheck(CLI::App& app, CheckCommand& command);
+CLI::App* AddCompletion(CLI::App& app, CompletionCommand& command);
 CLI::App* AddCross(CLI::App& app, CrossCommand& command);
 CLI::App* AddDevelop(CLI::App& app, DevelopCommand& command);
 CLI::App* AddDraw(CLI::App& app, DrawCommand& command);
@@ -24,6 +28,7 @@ CLI::App* AddFmt(CLI::App& app, FmtCommand& command);
 CLI::App* AddHash(CLI::App& app, HashCommand& command);
 CLI::App* AddImport(CLI::App& app, ImportCommand& command);
 CLI::App* AddLint(CLI::App& app, LintCommand& command);
+CLI::App* AddMan(CLI::App& app, ManCommand& command);
 CLI::App* AddMutate(CLI::App& app, MutateCommand& command);
 CLI::App* AddRandom(CLI::App& app, RandomCommand& command);
 CLI::App* AddReplay(CLI::App& app, ReplayCommand& command);
@@ -41,6 +46,9 @@ CLI::App* AddTest(CLI::App& app, TestCommand& command);
 CLI::App* AddTrim(CLI::App& app, TrimCommand& command);
 CLI::App* AddView(CLI::App& app, ViewCommand& command);
 CLI::App* AddWhy(CLI::App& app, WhyCommand& command);
+
+/// The command and all below it; `name` as in CommandDescription.
+CommandDescription DescribeApp(const CLI::App& app, const std::string& name);
 
 /// --format text|json; `json` says what a line of it is.
 void AddFormat(CLI::App* command, OutputFormat& format, const char* json);

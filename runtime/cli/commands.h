@@ -71,7 +71,6 @@ enum class Shell : std::uint8_t { kBash, kZsh, kFish };
 
 struct CompletionCommand {
   Shell shell = Shell::kBash;
-  std::string output;  ///< empty: standard output
 };
 
 struct CrossCommand {
@@ -297,13 +296,15 @@ struct Answer {
   std::string err;
 };
 
-using Command = std::variant<
-    Answer, CheckCommand, CrossCommand, DevelopCommand, DrawCommand,
-    EvolveCommand, ExplainCommand, ExportCommand, FixCommand, FmtCommand,
-    HashCommand, ImportCommand, LintCommand, MutateCommand, RandomCommand,
-    RegulateCommand, ReplayCommand, ReportCommand, ShowCommand, SimulateCommand,
-    StatsCommand, StudyListCommand, StudyRunCommand, StudyStatusCommand,
-    TestCommand, TrimCommand, ViewCommand, WhyCommand>;
+using Command =
+    std::variant<Answer, CheckCommand, CompletionCommand, CrossCommand,
+                 DevelopCommand, DrawCommand, EvolveCommand, ExplainCommand,
+                 ExportCommand, FixCommand, FmtCommand, HashCommand,
+                 ImportCommand, LintCommand, ManCommand, MutateCommand,
+                 RandomCommand, RegulateCommand, ReplayCommand, ReportCommand,
+                 ShowCommand, SimulateCommand, StatsCommand, StudyListCommand,
+                 StudyRunCommand, StudyStatusCommand, TestCommand, TrimCommand,
+                 ViewCommand, WhyCommand>;
 
 /// `arguments` without the program's name.
 Command ParseArguments(const std::vector<std::string>& arguments);
@@ -332,9 +333,11 @@ Exit Run(const WhyCommand& command, Io& io);
 Exit Run(const TestCommand& command, Io& io);
 Exit Run(const TrimCommand& command, Io& io);
 Exit Run(const StatsCommand& command, Io& io);
+Exit Run(const ManCommand& command, Io& io);
 Exit Run(const MutateCommand& command, Io& io);
 Exit Run(const HashCommand& command, Io& io);
 Exit Run(const ImportCommand& command, Io& io);
+Exit Run(const CompletionCommand& command, Io& io);
 Exit Run(const CrossCommand& command, Io& io);
 
 /// The whole program, as tests call it.
