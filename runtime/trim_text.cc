@@ -164,13 +164,15 @@ class Joiner {
   // A cut takes the blanks behind it along, or at the line's end those before.
   std::string_view Tidied(std::string_view kept) {
     const std::size_t first = kept.find_first_not_of(kBlanks);
-    if (first == std::string_view::npos || line_.empty()) return kept;
+    const bool has_blank =
+        line_.empty() || kBlanks.find(line_.back()) != std::string_view::npos;
+    if (first == std::string_view::npos) return has_blank ? "" : kept;
+    if (line_.empty()) return kept.substr(first);
     if (kept[first] == '\n' || kept[first] == '\r') {
       line_.resize(line_.find_last_not_of(kBlanks) + 1);
       return kept.substr(first);
     }
-    if (kBlanks.find(line_.back()) == std::string_view::npos) return kept;
-    return kept.substr(first);
+    return has_blank ? kept.substr(first) : kept;
   }
 
   void EndLine() {

@@ -65,7 +65,7 @@ std::string Synopsis(const CommandDescription& command) {
 std::string Prose(const std::string& text) {
   std::string roff;
   bool is_example = false;
-  bool begins_paragraph = true;
+  bool begins_paragraph = false;  // the section begins the first
   for (std::size_t at = 0; at < text.size();) {
     const std::size_t end = std::min(text.find('\n', at), text.size());
     const std::string line = text.substr(at, end - at);
@@ -152,7 +152,7 @@ std::string ManPage(const CommandDescription& command,
     page += ".SH OPTIONS\n" + Tagged(command.options);
   page +=
       ".SH EXIT STATUS\n0 fine, 1 the input is wrong, 2 the usage is "
-      "wrong.\n";
+      "wrong,\n130 interrupted.\n";
   return page + ".SH SEE ALSO\n" + SeeAlso(command);
 }
 
