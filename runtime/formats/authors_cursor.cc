@@ -17,6 +17,12 @@ constexpr std::string_view kBlank = " \t\r\n";
 // Of a word that is shown in a message.
 constexpr std::size_t kShown = 20;
 
+// What has quotes of its own needs no others.
+std::string Quoted(std::string_view text) {
+  const char* mark = text.find('\'') == std::string_view::npos ? "'" : "";
+  return fmt::format("{}{}{}", mark, text, mark);
+}
+
 }  // namespace
 
 void AuthorsCursor::SkipBlanks() {
@@ -34,7 +40,7 @@ bool AuthorsCursor::Take(std::string_view mark) {
 bool AuthorsCursor::Want(std::string_view mark, const char* meaning) {
   if (Take(mark)) return true;
   Fail({at(), at() + (is_at_end() ? 0U : 1U)},
-       fmt::format("'{}' {}", mark, meaning));
+       fmt::format("{} {}", Quoted(mark), meaning));
   return false;
 }
 
@@ -82,10 +88,8 @@ void AuthorsCursor::Fail(Span span, std::string expected) {
 std::string AuthorsCursor::Found() const {
   if (is_at_end()) return "the end of the file";
   const std::size_t end = text_.find_first_of(" \t\r\n,]}>", at_ + 1);
-  return "'" +
-         Printable(text_.substr(at_, std::min(end, text_.size()) - at_),
-                   kShown) +
-         "'";
+  return Quoted(Printable(
+      text_.substr(at_, std::min(end, text_.size()) - at_), kShown));
 }
 
 std::optional<double> ParseAuthorsNumber(std::string_view text) {

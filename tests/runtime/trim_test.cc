@@ -192,8 +192,8 @@ void CheckSampleSet(const std::string& set, std::size_t step) {
 
 TEST_CASE("The authors' genotypes develop the same, trimmed", "[trim]") {
   CheckSampleSet("sample_rare", 1);
-  CheckSampleSet("sample_plastic", 60);
-  CheckSampleSet("sample_two_states", 40);
+  CheckSampleSet("sample_plastic", 100);
+  CheckSampleSet("sample_two_states", 80);
 }
 
 TEST_CASE("All of the authors' genotypes develop the same, trimmed",

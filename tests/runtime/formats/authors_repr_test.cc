@@ -38,11 +38,11 @@ TEST_CASE("The dictionary is read letter by letter", "[authors_repr]") {
 
 TEST_CASE("Errors name the place and what was expected", "[authors_repr]") {
   CHECK(ErrorOf("[]") ==
-        "0: '{' at the start of the dictionary is expected, not '[]'");
+        "0: '{' at the start of the dictionary is expected, not '['");
   CHECK(ErrorOf("{<Alphabet.BLOCK 'B'>") ==
-        "16: ':' behind the name is expected, not the end of the file");
+        "20: ':' behind the name is expected, not '>'");
   CHECK(ErrorOf("{<Alphabet.BLOCK: 'B'>: [[[['hot', '<', 3]]]]}") ==
-        "36: '\'==\'' or '!=' is expected, not '\'<\''");
+        "35: '==' or '!=' is expected, not '<'");
   CHECK(ErrorOf("{<Alphabet.BLOCK: 'B'>: [[[['hot', '==', 1]]]]}") ==
         "41: 'False' or 'True' is expected, not '1'");
 }

@@ -24,20 +24,20 @@ TEST_CASE("Statistics are a column an environment", "[stats_text]") {
 in some environment: 2 (100 %) rules active, 6 (86 %) symbols expressed
 over 2 environments: 2 bodies, 2 brains
 
-                           dry                            rain
-active rules               1 (50 %)                       1 (50 %)
-expressed symbols          3 (43 %)                       3 (43 %)
-derived string             3                              4
-  of it expressed          3 (100 %)                      3 (75 %)
-modules                    2                              2
-  joints                   0                              1
-sensors                    0                              0
-brain nodes                0                              1
-brain edges                0                              0
-body                       reference                      1 shared, 1 other, 0 new, 0 gone
-brain                      reference                      another
-rule 1: C if wet = False   1x, 3 of 3 symbols, 2 modules  -
-rule 2: C if wet = True    -                              1x, 3 of 4 symbols, 2 modules
+                          dry                            rain
+active rules              1 (50 %)                       1 (50 %)
+expressed symbols         3 (43 %)                       3 (43 %)
+derived string            3                              4
+  of it expressed         3 (100 %)                      3 (75 %)
+modules                   2                              2
+  joints                  0                              1
+sensors                   0                              0
+brain nodes               0                              1
+brain edges               0                              0
+body                      reference                      1 shared, 1 other, 0 new, 0 gone
+brain                     reference                      another
+rule 1: C if wet = False  1x, 3 of 3 symbols, 2 modules  -
+rule 2: C if wet = True   -                              1x, 3 of 4 symbols, 2 modules
 )");
 }
 
