@@ -52,6 +52,13 @@ Diagnostic TooManyEnvironments(const MappedProgram& mapped) {
   return diagnostic;
 }
 
+std::string WhereOf(const Target& target, const Regime& regime) {
+  const std::string where =
+      target.space.Describe(regime.environment, target.current.states);
+  return where == "always" ? "every environment"
+                           : "an environment with " + where;
+}
+
 class Trimmer {
  public:
   Trimmer(std::span<const MappedProgram> programs, const TrimOptions& options)
@@ -109,10 +116,8 @@ class Trimmer {
           Regulate(target.current, {target.space.At(regime.environment)});
       const std::uint64_t length = DerivedLength(target.current, active);
       if (length > kMaxStringLength)
-        return GrowthError(
-            *target.mapped, active, length,
-            "with " + target.space.Describe(regime.environment,
-                                            target.current.states));
+        return GrowthError(*target.mapped, active, length,
+                           WhereOf(target, regime));
       target.developed[active.rules] = *DevelopActive(target.current, active);
     }
     return std::nullopt;

@@ -86,6 +86,14 @@ CommandDescription DescribeApp(const CLI::App& app, const std::string& name) {
   for (const CLI::App* sub : app.get_subcommands({}))
     command.commands.push_back(DescribeApp(
         *sub, name.empty() ? sub->get_name() : name + ' ' + sub->get_name()));
+  // `plsc man COMMAND`
+  for (CommandDescription& below : command.commands)
+    for (OptionDescription& positional : below.positionals)
+      if (name.empty() && positional.value == "COMMAND") {
+        positional.kind = ValueKind::kChoice;
+        for (const CommandDescription& other : command.commands)
+          positional.choices.push_back(other.name);
+      }
   return command;
 }
 

@@ -88,8 +88,8 @@ void AuthorsCursor::Fail(Span span, std::string expected) {
 std::string AuthorsCursor::Found() const {
   if (is_at_end()) return "the end of the file";
   const std::size_t end = text_.find_first_of(" \t\r\n,]}>", at_ + 1);
-  return Quoted(Printable(
-      text_.substr(at_, std::min(end, text_.size()) - at_), kShown));
+  return Quoted(
+      Printable(text_.substr(at_, std::min(end, text_.size()) - at_), kShown));
 }
 
 std::optional<double> ParseAuthorsNumber(std::string_view text) {

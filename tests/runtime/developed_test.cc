@@ -21,9 +21,8 @@ TEST_CASE("Robots have equal keys if they are equal to the last bit",
   CHECK(key == KeyOfRules("max_modules 3 iterations 1\n"
                           "rule C -> { C add_right add_left T(0.5) }"));
   CHECK(key != KeyOfRules("iterations 1\nrule C -> { C add_right T(0.5) }"));
-  CHECK(key !=
-        KeyOfRules("iterations 1\nrule C -> { C add_left "
-                   "T(0.50000000000000011) }"));
+  CHECK(key != KeyOfRules("iterations 1\nrule C -> { C add_left "
+                          "T(0.50000000000000011) }"));
   CHECK(KeyOfRules("iterations 1\nrule C -> { C add_left T(0) }") !=
         KeyOfRules("iterations 1\nrule C -> { C add_left T(-0) }"));
 }

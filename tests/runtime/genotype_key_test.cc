@@ -3,8 +3,8 @@
 #include <catch2/catch.hpp>
 
 #include "compiler/print.h"
-#include "compiler/verify.h"
 #include "compiler/random_genotype.h"
+#include "compiler/verify.h"
 #include "tests/runtime/compile_text.h"
 
 namespace plsc {
@@ -22,15 +22,14 @@ Key KeyOfText(const std::string& text) {
 TEST_CASE("A genotype's key does not depend on how it is written",
           "[genotype_key]") {
   const Key key = KeyOfText(kBase);
-  for (const std::string& same : {
-           std::string("plsc 1 # a\nalphabet plasticoding 1 genotype two\n"
-           "rule B->if ground=wet then{T(5e-1)B}\n"
-           "sense hot: bool sense ground: { dry, wet }"),
-           kHead +
-               "sense ground: { wet, dry }\nsense hot: bool\niterations 3\n"
-               "let half = 0.50\naxiom C\n"
-               "rule B -> if ground = wet then { T(half) B }\n"
-               "environment x { hot = True, ground = wet }\n"}) {
+  for (const std::string& same :
+       {std::string("plsc 1 # a\nalphabet plasticoding 1 genotype two\n"
+                    "rule B->if ground=wet then{T(5e-1)B}\n"
+                    "sense hot: bool sense ground: { dry, wet }"),
+        kHead + "sense ground: { wet, dry }\nsense hot: bool\niterations 3\n"
+                "let half = 0.50\naxiom C\n"
+                "rule B -> if ground = wet then { T(half) B }\n"
+                "environment x { hot = True, ground = wet }\n"}) {
     CAPTURE(same);
     CHECK(KeyOfText(same) == key);
   }

@@ -47,8 +47,7 @@ TEST_CASE("Statistics count what each rule did", "[genotype_stats]") {
   CHECK(wet.nodes == wet.joints + wet.sensors);
   CHECK(wet.difference.shared + wet.difference.other + wet.difference.added ==
         wet.modules + wet.sensors);
-  CHECK(wet.difference.shared + wet.difference.other +
-            wet.difference.missing ==
+  CHECK(wet.difference.shared + wet.difference.other + wet.difference.missing ==
         dry.modules + dry.sensors);
   CHECK(wet.difference.other_brain);
   CHECK(stats.bodies == 2);

@@ -11,14 +11,13 @@ const std::string kStates = "sense a: bool\nsense b: bool\niterations 1\n";
 
 TEST_CASE("Robots are compared wherever clauses of either tell apart",
           "[same_robots]") {
-  const Program before = test::CompileText(
-      "plsc 1\nalphabet plasticoding 1\n" + kStates +
-      "rule C -> if a = True then { C add_left B }\n"
-      "environment home { a = True, b = False }\n");
-  const Genotype same = test::Robot(
-      kStates + "rule C -> if a = True then { C B add_left B }\n");
-  const auto equal =
-      CompareRobots(before.genotype, same, before.environments);
+  const Program before =
+      test::CompileText("plsc 1\nalphabet plasticoding 1\n" + kStates +
+                        "rule C -> if a = True then { C add_left B }\n"
+                        "environment home { a = True, b = False }\n");
+  const Genotype same =
+      test::Robot(kStates + "rule C -> if a = True then { C B add_left B }\n");
+  const auto equal = CompareRobots(before.genotype, same, before.environments);
   REQUIRE(equal);
   CHECK(AreSame(*equal));
   REQUIRE(equal->size() == 2);
@@ -42,8 +41,8 @@ TEST_CASE("Robots are compared wherever clauses of either tell apart",
 
 TEST_CASE("What cannot be developed is not compared", "[same_robots]") {
   const Genotype small = test::Robot("iterations 30\nrule C -> { C B }\n");
-  const Genotype large = test::Robot(
-      "iterations 30\nrule C -> { C B }\nrule B -> { B B }\n");
+  const Genotype large =
+      test::Robot("iterations 30\nrule C -> { C B }\nrule B -> { B B }\n");
   CHECK_FALSE(CompareRobots(small, large, {}));
   CHECK(CompareRobots(small, small, {}));
 }

@@ -23,9 +23,9 @@ std::string ClauseWithout(const std::vector<std::size_t>& terms) {
   const MappedProgram mapped = Mapped(kText);
   const Pieces pieces = PiecesOf({&mapped, 1});
   Kept kept(pieces.all.size(), true);
-  for (const std::size_t term : terms) kept[pieces.of[0][0].terms[term]] = false;
-  const auto genotype =
-      KeepPieces(mapped.program.genotype, pieces.of[0], kept);
+  for (const std::size_t term : terms)
+    kept[pieces.of[0][0].terms[term]] = false;
+  const auto genotype = KeepPieces(mapped.program.genotype, pieces.of[0], kept);
   REQUIRE(genotype);
   return PrintClause(genotype->rules[0].clause, *genotype);
 }
@@ -39,8 +39,7 @@ TEST_CASE("Terms that stay keep their groups", "[trim_pieces]") {
   CHECK(ClauseWithout({0, 1, 2}).empty());
 }
 
-TEST_CASE("A production keeps a symbol, and that of C its C",
-          "[trim_pieces]") {
+TEST_CASE("A production keeps a symbol, and that of C its C", "[trim_pieces]") {
   const MappedProgram mapped = Mapped(kText);
   const Pieces pieces = PiecesOf({&mapped, 1});
   const RulePieces& rule = pieces.of[0][0];

@@ -35,8 +35,9 @@ TEST_CASE("Trim leaves out what changes no robot, and keeps the rest as it is",
   const std::vector<Row> rows = {
       {"nothing to leave out", "rule C -> { C add_left B } # fine\n",
        "rule C -> { C add_left B } # fine\n"},
-      {"modules without a slot", "iterations 1\nrule C -> { C B add_left B T(1) "
-                                 "}\n",
+      {"modules without a slot",
+       "iterations 1\nrule C -> { C B add_left B T(1) "
+       "}\n",
        "iterations 1\nrule C -> { C add_left B }\n"},
       {"a slot that is overwritten",
        "iterations 1\nrule C -> {\n  C\n  add_left  # never used\n"
@@ -97,8 +98,7 @@ TEST_CASE("What the file expects of itself goes on to hold", "[trim]") {
   CHECK(Trimmed1(failing).find("{ C add_left B }") != std::string::npos);
 }
 
-TEST_CASE("What belongs to several genotypes goes from all or none",
-          "[trim]") {
+TEST_CASE("What belongs to several genotypes goes from all or none", "[trim]") {
   const std::string shared = kHead +
                              "iterations 1\n"
                              "rule B -> { add_left B T(1) }\n"

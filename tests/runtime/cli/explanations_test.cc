@@ -70,9 +70,8 @@ Codes CodesOfExample(ExampleKind kind, std::string_view example) {
   const Source source("example", std::string(example));
   if (kind == ExampleKind::kTrim) return CodesOf(Trim(source).diagnostics());
   if (kind == ExampleKind::kImport)
-    return CodesOf(
-        ImportAuthorsGenotype(source, GuessAuthorsFormat(example))
-            .diagnostics());
+    return CodesOf(ImportAuthorsGenotype(source, GuessAuthorsFormat(example))
+                       .diagnostics());
   if (kind == ExampleKind::kExperiment)
     return CodesOf(ParseExperiment(source).diagnostics());
   if (kind == ExampleKind::kLint) {

@@ -45,8 +45,7 @@ Genotype Comparable(Genotype genotype) {
       std::size_t& place = places[static_cast<std::size_t>(term.state)];
       if (place == 99) {
         place = states.size();
-        states.push_back(
-            genotype.states[static_cast<std::size_t>(term.state)]);
+        states.push_back(genotype.states[static_cast<std::size_t>(term.state)]);
       }
       term.state = static_cast<StateId>(place);
     }
@@ -62,8 +61,9 @@ Genotype InTheirOrder(Genotype genotype) {
       if (rule.head == letter) rules.push_back(rule);
   genotype.rules = rules;
   genotype = Comparable(genotype);
-  std::stable_sort(genotype.rules.begin(), genotype.rules.end(),
-                   [](const Rule& a, const Rule& b) { return a.head < b.head; });
+  std::stable_sort(
+      genotype.rules.begin(), genotype.rules.end(),
+      [](const Rule& a, const Rule& b) { return a.head < b.head; });
   return genotype;
 }
 
@@ -170,8 +170,7 @@ TEST_CASE("Clauses bring states, and the paper's worlds as environments",
   CHECK(program.genotype.rules[1].clause.is_always());
   REQUIRE(program.environments.size() == 2);
   CHECK(program.environments[1].name == "tilted5");
-  CHECK(program.environments[1].environment.values ==
-        std::vector<double>{1});
+  CHECK(program.environments[1].environment.values == std::vector<double>{1});
 }
 
 TEST_CASE("What Revolve joined in the level season is found, and taken off",
@@ -228,7 +227,9 @@ TEST_CASE("What is lost, and what is wrong, is said", "[authors_genotype]") {
       {"a binary file", std::string("{\0\1", 3), "P5016"},
   };
   for (const Row& row : rows) {
-    DYNAMIC_SECTION(row.why) { CHECK(CodesOfImport(row.text) == row.codes); }
+    DYNAMIC_SECTION(row.why) {
+      CHECK(CodesOfImport(row.text) == row.codes);
+    }
   }
 }
 

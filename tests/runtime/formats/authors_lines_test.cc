@@ -13,8 +13,8 @@ TEST_CASE("Lines are read word by word", "[authors_lines]") {
   CHECK(read.rules[0].letter.token == "C");
   REQUIRE(read.rules[0].symbols.size() == 3);
   CHECK(read.rules[0].symbols[1].parameters[1].value == 3);
-  CHECK(source.text().substr(
-            read.rules[0].symbols[1].parameters[1].span.begin, 3) == "3.0");
+  CHECK(source.text().substr(read.rules[0].symbols[1].parameters[1].span.begin,
+                             3) == "3.0");
   CHECK(read.rules[1].symbols[0].parameters[0].value == -0.5);
   CHECK_FALSE(read.has_clauses);
   CHECK(read.problems.empty());

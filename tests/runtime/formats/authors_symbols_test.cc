@@ -24,12 +24,9 @@ TEST_CASE("Every symbol has one token, the one that messages name",
   CHECK(FindAuthorsSymbol("A1") == nullptr);
 }
 
-TEST_CASE("Parameters of joints change places, and back",
-          "[authors_symbols]") {
+TEST_CASE("Parameters of joints change places, and back", "[authors_symbols]") {
   std::vector<Diagnostic> problems;
-  const AuthorsWord word{"AJ2",
-                         {0, 3},
-                         {{0.5, {}}, {2, {}}, {3, {}}, {4, {}}}};
+  const AuthorsWord word{"AJ2", {0, 3}, {{0.5, {}}, {2, {}}, {3, {}}, {4, {}}}};
   const auto symbol = ImportSymbol(word, false, &problems);
   REQUIRE(symbol);
   CHECK(symbol->id == plasticoding::kA1);
