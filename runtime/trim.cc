@@ -1,63 +1,17 @@
 #include "runtime/trim.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cassert>
-#include <map>
 #include <utility>
 
-#include "runtime/developed.h"
-#include "runtime/growth.h"
-#include "runtime/inline_test.h"
-#include "runtime/lint.h"
-#include "runtime/regimes.h"
 #include "runtime/trace.h"
 #include "runtime/trim_pieces.h"
+#include "runtime/trim_target.h"
 #include "runtime/trim_text.h"
 
 namespace plsc {
 
 namespace {
-
-// One genotype of the file: what it must go on to be, and where to look.
-struct Target {
-  const MappedProgram* mapped = nullptr;
-  StateSpace space;
-  Genotype current;
-  /// Of `current`; every environment of a regime has developed the same.
-  std::vector<Regime> regimes;
-  std::map<std::vector<RuleIndex>, Developed> developed;  ///< of `current`
-  std::vector<std::size_t> tests;                         ///< that pass
-};
-
-std::vector<std::size_t> PassingTests(const MappedProgram& mapped) {
-  std::vector<std::size_t> passing;
-  for (std::size_t i = 0; i < mapped.program.tests.size(); ++i)
-    if (!RunInlineTest(mapped, i)) passing.push_back(i);
-  return passing;
-}
-
-Diagnostic TooManyEnvironments(const MappedProgram& mapped) {
-  Diagnostic diagnostic;
-  diagnostic.code = "P4003";
-  diagnostic.span =
-      mapped.map.genotype.end > 0 ? mapped.map.genotype : mapped.map.version;
-  diagnostic.message = fmt::format(
-      "clauses that tell apart at most {} environments are expected, to "
-      "develop in each",
-      StateSpace::kMaxCombinations);
-  diagnostic.label = "nothing can be proved of all environments here";
-  diagnostic.help = "let clauses ask about fewer states or thresholds";
-  return diagnostic;
-}
-
-std::string WhereOf(const Target& target, const Regime& regime) {
-  const std::string where =
-      target.space.Describe(regime.environment, target.current.states);
-  return where == "always" ? "every environment"
-                           : "an environment with " + where;
-}
 
 class Trimmer {
  public:
@@ -72,22 +26,11 @@ class Trimmer {
   std::vector<Diagnostic> Prepare() {
     std::vector<Diagnostic> problems;
     for (const MappedProgram& mapped : programs_) {
-      const Genotype& genotype = mapped.program.genotype;
-      Target target{&mapped, StateSpace(genotype), genotype, {},
-                    {},      PassingTests(mapped)};
-      const auto regimes = FindRegimes(genotype, target.space);
-      // Proofs look at the rules of before and after together.
-      const bool is_too_much =
-          !regimes || genotype.rules.size() >
-                          kMaxRegulations / 2 /
-                              static_cast<std::size_t>(*target.space.size());
-      if (is_too_much) {
-        problems.push_back(TooManyEnvironments(mapped));
-        continue;
-      }
-      target.regimes = *regimes;
-      if (auto problem = DevelopAll(target)) problems.push_back(*problem);
-      targets_.push_back(std::move(target));
+      Result<TrimTarget> target = MakeTrimTarget(mapped);
+      if (target)
+        targets_.push_back(std::move(*target));
+      else
+        problems.push_back(target.diagnostics().front());
     }
     return problems;
   }
@@ -110,19 +53,6 @@ class Trimmer {
   }
 
  private:
-  static std::optional<Diagnostic> DevelopAll(Target& target) {
-    for (const Regime& regime : target.regimes) {
-      const ActiveRules active =
-          Regulate(target.current, {target.space.At(regime.environment)});
-      const std::uint64_t length = DerivedLength(target.current, active);
-      if (length > kMaxStringLength)
-        return GrowthError(*target.mapped, active, length,
-                           WhereOf(target, regime));
-      target.developed[active.rules] = *DevelopActive(target.current, active);
-    }
-    return std::nullopt;
-  }
-
   // Whether the pieces are gone: no robot changes without them.
   bool Try(const std::vector<std::size_t>& out) {
     if (work_left_ == 0 || out.empty()) return false;
@@ -137,7 +67,7 @@ class Trimmer {
     std::sort(affected.begin(), affected.end());
     affected.erase(std::unique(affected.begin(), affected.end()),
                    affected.end());
-    std::vector<Target> changed;
+    std::vector<TrimTarget> changed;
     for (const std::size_t program : affected) {
       auto next = Changed(program, kind);
       if (!next) {
@@ -156,70 +86,16 @@ class Trimmer {
   }
 
   // The target with what is kept now; nothing if a robot would be another.
-  std::optional<Target> Changed(std::size_t program, PieceKind kind) {
-    const Target& target = targets_[program];
+  std::optional<TrimTarget> Changed(std::size_t program, PieceKind kind) {
+    const TrimTarget& target = targets_[program];
+    // An eighth: a symbol is copied faster than derived.
     Work(1 + pieces_.of[program].size() + pieces_.all.size() / 8);
     auto genotype =
         KeepPieces(target.mapped->program.genotype, pieces_.of[program], kept_);
     if (!genotype) return std::nullopt;
-    Target next{target.mapped, target.space, std::move(*genotype), {}, {},
-                target.tests};
-    if (!FindTheSame(target, kind, &next)) return std::nullopt;
-    MappedProgram mapped{{next.current, target.mapped->program.environments,
-                          target.mapped->program.tests},
-                         target.mapped->map};
-    for (const std::size_t test : next.tests)
-      if (RunInlineTest(mapped, test)) return std::nullopt;
-    return next;
-  }
-
-  std::vector<Regime> Regimes(const Target& target) {
-    Work(target.current.rules.size() *
-         static_cast<std::size_t>(*target.space.size()) / 8);
-    return *FindRegimes(target.current, target.space);
-  }
-
-  // In every environment that either tells apart.
-  bool FindTheSame(const Target& target, PieceKind kind, Target* next) {
-    std::vector<Regime> regimes = target.regimes;
-    next->regimes =
-        kind == PieceKind::kSymbol ? target.regimes : Regimes(*next);
-    if (kind == PieceKind::kTerm) {
-      Target both{target.mapped, target.space, target.current, {}, {}, {}};
-      both.current.rules.insert(both.current.rules.end(),
-                                next->current.rules.begin(),
-                                next->current.rules.end());
-      const auto found = FindRegimes(both.current, both.space);
-      if (!found) return false;
-      Work(both.current.rules.size() *
-           static_cast<std::size_t>(*both.space.size()) / 8);
-      regimes = *found;
-    }
-    for (const Regime& regime : regimes) {
-      const Environment environment{target.space.At(regime.environment)};
-      const ActiveRules active = Regulate(next->current, environment);
-      const Developed& wanted =
-          target.developed.at(Regulate(target.current, environment).rules);
-      const auto known = next->developed.find(active.rules);
-      if (known != next->developed.end()) {
-        if (!IsSame(*next, known->second, wanted)) return false;
-        continue;
-      }
-      const std::uint64_t length = DerivedLength(next->current, active);
-      if (length > kMaxStringLength) return false;
-      Work(length);
-      auto developed = DevelopActive(next->current, active);
-      if (!IsSame(*next, *developed, wanted)) return false;
-      next->developed[active.rules] = std::move(*developed);
-    }
-    return true;
-  }
-
-  // The key tells -0 from 0, which compare as equal.
-  static bool IsSame(const Target& target, const Developed& a,
-                     const Developed& b) {
-    return a == b &&
-           DevelopedKey(target.current, a) == DevelopedKey(target.current, b);
+    TrimTry attempt = TryGenotype(target, std::move(*genotype), kind);
+    Work(attempt.work);
+    return std::move(attempt.target);
   }
 
   bool MayTouch(const Piece& piece) const {
@@ -328,7 +204,7 @@ class Trimmer {
   }
 
   void MarkUsed(std::size_t p, std::vector<bool>* is_used) {
-    const Target& target = targets_[p];
+    const TrimTarget& target = targets_[p];
     const Genotype& genotype = target.current;
     const auto pieces = CurrentSymbols(p);
     // A replaceable symbol may be a call; the first of C's rules is the core.
@@ -360,7 +236,7 @@ class Trimmer {
   Kept kept_;
   std::uint64_t work_left_;
   std::optional<std::size_t> only_;
-  std::vector<Target> targets_;
+  std::vector<TrimTarget> targets_;
 };
 
 PieceCounts CountPieces(const Genotype& genotype) {

@@ -25,7 +25,7 @@ struct TrimOptions {
   /// Most symbols that are derived in trying, over all environments; beyond it
   /// what is found so far is the result. Random genotypes of the paper's kind
   /// take some 10^5; this is a few seconds.
-  std::uint64_t max_work = std::uint64_t{1} << 27;
+  std::uint64_t max_work = std::uint64_t{1} << 25;
 };
 
 struct PieceCounts {
