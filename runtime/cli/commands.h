@@ -75,6 +75,31 @@ struct FmtCommand {
   bool compact = false;
 };
 
+/// Of the evolver's streams of random numbers (runtime/evolve/rng.h): those of
+/// the child that a run would bear then.
+struct StreamChoice {
+  std::uint64_t seed = 0;
+  std::uint64_t generation = 0;
+  std::uint64_t individual = 0;  ///< of the first child; the next has the next
+};
+
+enum class Shell : std::uint8_t { kBash, kZsh, kFish };
+
+struct CompletionCommand {
+  Shell shell = Shell::kBash;
+};
+
+struct CrossCommand {
+  std::string first;  ///< whose states, settings and environments stay
+  std::string second;
+  StreamChoice stream;
+  int count = 1;
+  std::string experiment;  ///< empty: the paper's
+  std::string output;      ///< empty: standard output
+  OutputFormat format = OutputFormat::kText;
+  bool allow_range = false;
+};
+
 struct DevelopCommand {
   std::string file;
   std::vector<std::string> environments;  ///< "a=True,b=False" or a name
@@ -109,6 +134,25 @@ struct DrawCommand {
   bool allow_range = false;
 };
 
+struct HashCommand {
+  std::vector<std::string> files;
+  bool phenotype = false;  ///< of the developed robots, one an environment
+  std::vector<std::string> environments;  ///< as DevelopCommand's
+  bool allow_range = false;
+};
+
+enum class ImportFormat : std::uint8_t { kAuto, kRepr, kLines };
+
+struct ImportCommand {
+  std::string file;
+  ImportFormat from = ImportFormat::kAuto;
+  std::string name;                  ///< of the genotype; empty: the file's
+  std::vector<std::string> renames;  ///< "hill=inclined"
+  std::string output;                ///< empty: standard output
+  bool unjoin = false;
+  bool allow_range = false;
+};
+
 struct LintCommand {
   std::vector<std::string> files;
   OutputFormat format = OutputFormat::kText;
@@ -126,6 +170,18 @@ struct MergeCommand {
   int marker_size = 7;              ///< characters of a conflict marker
   std::string path;                 ///< git's name of the file; empty: `ours`
   std::vector<std::string> labels;  ///< of ours, base, theirs
+struct ManCommand {
+  std::vector<std::string> command;  ///< "study", "run"; empty: plsc itself
+  std::string all;                   ///< a folder for all pages; empty: none
+};
+
+struct MutateCommand {
+  std::string file;
+  StreamChoice stream;
+  int count = 1;
+  std::string experiment;  ///< empty: the paper's
+  std::string output;      ///< empty: standard output
+  OutputFormat format = OutputFormat::kText;
   bool allow_range = false;
 };
 
@@ -187,6 +243,22 @@ struct RandomCommand {
   int max_rules = 2;
   int max_terms = 2;
   std::string output;  ///< empty: standard output
+};
+
+struct StatsCommand {
+  std::vector<std::string> files;
+  std::vector<std::string> environments;  ///< as DevelopCommand's
+  OutputFormat format = OutputFormat::kText;
+  bool allow_range = false;
+};
+
+struct TrimCommand {
+  std::string file;
+  bool write = false;  ///< in place
+  std::string output;  ///< empty: standard output, unless `write`
+  bool check = false;
+  OutputFormat format = OutputFormat::kText;
+  bool allow_range = false;
 };
 
 struct ViewCommand {
@@ -270,6 +342,14 @@ using Command =
                  RegulateCommand, ReplayCommand, ReportCommand, ShowCommand,
                  SimulateCommand, StudyListCommand, StudyRunCommand,
                  StudyStatusCommand, TestCommand, ViewCommand, WhyCommand>;
+    std::variant<Answer, CheckCommand, CompletionCommand, CrossCommand,
+                 DevelopCommand, DrawCommand, EvolveCommand, ExplainCommand,
+                 ExportCommand, FixCommand, FmtCommand, HashCommand,
+                 ImportCommand, LintCommand, ManCommand, MutateCommand,
+                 RandomCommand, RegulateCommand, ReplayCommand, ReportCommand,
+                 ShowCommand, SimulateCommand, StatsCommand, StudyListCommand,
+                 StudyRunCommand, StudyStatusCommand, TestCommand, TrimCommand,
+                 ViewCommand, WhyCommand>;
 
 /// `arguments` without the program's name.
 Command ParseArguments(const std::vector<std::string>& arguments);
@@ -299,6 +379,14 @@ Exit Run(const RandomCommand& command, Io& io);
 Exit Run(const ViewCommand& command, Io& io);
 Exit Run(const WhyCommand& command, Io& io);
 Exit Run(const TestCommand& command, Io& io);
+Exit Run(const TrimCommand& command, Io& io);
+Exit Run(const StatsCommand& command, Io& io);
+Exit Run(const ManCommand& command, Io& io);
+Exit Run(const MutateCommand& command, Io& io);
+Exit Run(const HashCommand& command, Io& io);
+Exit Run(const ImportCommand& command, Io& io);
+Exit Run(const CompletionCommand& command, Io& io);
+Exit Run(const CrossCommand& command, Io& io);
 
 /// The whole program, as tests call it.
 Exit Main(const std::vector<std::string>& arguments, Io& io);
