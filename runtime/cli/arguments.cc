@@ -174,6 +174,7 @@ Command ParseArguments(const std::vector<std::string>& arguments) {
   commands.Add(app, AddDevelop);
   commands.Add(app, AddDraw);
   commands.Add(app, AddLint);
+  commands.Add(app, AddLsp);
   commands.Add(app, AddRegulate);
   commands.Add(app, AddSimulate);
   commands.Add(app, AddEvolve);

@@ -21,6 +21,7 @@ CLI::App* AddExport(CLI::App& app, ExportCommand& command);
 CLI::App* AddFix(CLI::App& app, FixCommand& command);
 CLI::App* AddFmt(CLI::App& app, FmtCommand& command);
 CLI::App* AddLint(CLI::App& app, LintCommand& command);
+CLI::App* AddLsp(CLI::App& app, LspCommand& command);
 CLI::App* AddRandom(CLI::App& app, RandomCommand& command);
 CLI::App* AddReplay(CLI::App& app, ReplayCommand& command);
 CLI::App* AddReport(CLI::App& app, ReportCommand& command);

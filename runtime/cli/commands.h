@@ -90,6 +90,12 @@ struct LintCommand {
   bool allow_range = false;
 };
 
+/// What some clients say to every server; nothing depends on it.
+struct LspCommand {
+  bool stdio = true;
+  std::string client_process_id;
+};
+
 struct RegulateCommand {
   std::string file;
   std::vector<std::string> environments;  ///< as in DevelopCommand
@@ -224,10 +230,10 @@ struct Answer {
 using Command =
     std::variant<Answer, CheckCommand, DevelopCommand, DrawCommand,
                  EvolveCommand, ExplainCommand, ExportCommand, FixCommand,
-                 FmtCommand, LintCommand, RandomCommand, RegulateCommand,
-                 ReplayCommand, ReportCommand, ShowCommand, SimulateCommand,
-                 StudyListCommand, StudyRunCommand, StudyStatusCommand,
-                 TestCommand, ViewCommand, WhyCommand>;
+                 FmtCommand, LintCommand, LspCommand, RandomCommand,
+                 RegulateCommand, ReplayCommand, ReportCommand, ShowCommand,
+                 SimulateCommand, StudyListCommand, StudyRunCommand,
+                 StudyStatusCommand, TestCommand, ViewCommand, WhyCommand>;
 
 /// `arguments` without the program's name.
 Command ParseArguments(const std::vector<std::string>& arguments);
@@ -241,6 +247,7 @@ Exit Run(const FmtCommand& command, Io& io);
 Exit Run(const DevelopCommand& command, Io& io);
 Exit Run(const DrawCommand& command, Io& io);
 Exit Run(const LintCommand& command, Io& io);
+Exit Run(const LspCommand& command, Io& io);
 Exit Run(const RegulateCommand& command, Io& io);
 Exit Run(const ReplayCommand& command, Io& io);
 Exit Run(const ReportCommand& command, Io& io);
