@@ -149,7 +149,9 @@ CompletionContext ContextAt(std::string_view text, std::uint32_t offset) {
       if (touches) return context;
       continue;
     }
-    if (touches && token.kind == TokenKind::kNumber) return context;
+    if (touches &&
+        (token.kind == TokenKind::kNumber || token.kind == TokenKind::kOther))
+      return context;
     if (touches && token.kind == TokenKind::kWord) {
       context.word = {token.span.begin, offset};
       break;

@@ -6,7 +6,6 @@
 #include <string>
 #include <utility>
 
-#include "runtime/lint.h"
 #include "runtime/lsp/params.h"
 
 namespace plsc::lsp {
@@ -72,12 +71,6 @@ Json PublishedJson(Analysis& analysis, std::int64_t version,
   Json params = {{"uri", analysis.uri()}, {"version", version}};
   params["diagnostics"] = std::move(list);
   return params;
-}
-
-std::vector<Diagnostic> AdviceOn(Analysis& analysis) {
-  const auto& compiled = analysis.compiled();
-  if (!compiled) return {};
-  return Lint(*compiled, analysis.source());
 }
 
 }  // namespace plsc::lsp

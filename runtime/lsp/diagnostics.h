@@ -1,6 +1,7 @@
 #pragma once
 
-// Our diagnostics as LSP's: at most kMaxPublished of a document, errors first.
+// Our diagnostics as LSP's: at most kMaxPublished of a document, those of the
+// compiler first.
 
 #include <vector>
 
@@ -20,8 +21,5 @@ Json DiagnosticToJson(const Diagnostic& diagnostic, const Analysis& analysis,
 /// params of textDocument/publishDiagnostics.
 Json PublishedJson(Analysis& analysis, std::int64_t version,
                    const std::vector<Diagnostic>& advice);
-
-/// What Lint says of a document that compiles; nothing of others.
-std::vector<Diagnostic> AdviceOn(Analysis& analysis);
 
 }  // namespace plsc::lsp

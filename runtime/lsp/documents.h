@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "runtime/lsp/advice.h"
 #include "runtime/lsp/analysis.h"
 #include "runtime/lsp/json.h"
 
@@ -16,9 +17,8 @@ namespace plsc::lsp {
 struct Document {
   std::int64_t version = 0;  ///< the client's number; diagnostics carry it
   std::unique_ptr<Analysis> analysis;
-  bool is_published = false;       ///< diagnostics of this version were sent
-  bool is_linted = false;          ///< and the advice of Lint
-  std::vector<Diagnostic> advice;  ///< once linted
+  bool is_published = false;  ///< diagnostics of this version were sent
+  Advice advice;
 };
 
 class Documents {

@@ -24,6 +24,13 @@ std::string_view Trimmed(std::string_view text) {
   return text;
 }
 
+// `Content-Length`: what JSON without a header never is.
+bool IsFieldName(std::string_view name) {
+  return !name.empty() && std::all_of(name.begin(), name.end(), [](char c) {
+    return c == '-' || std::isalnum(static_cast<unsigned char>(c)) != 0;
+  });
+}
+
 }  // namespace
 
 void FrameReader::Append(std::string_view bytes) {
@@ -84,11 +91,11 @@ Frame FrameReader::ReadHeader() {
 
 std::string FrameReader::ReadHeaderLine(std::string_view line) {
   const std::size_t colon = line.find(':');
-  if (colon == std::string_view::npos)
+  const std::string_view name = Trimmed(line.substr(0, colon));
+  if (colon == std::string_view::npos || !IsFieldName(name))
     return "expected a header line 'Content-Length: N'";
   // Content-Type says what is always so (UTF-8); others are for others.
-  if (!EqualsIgnoringCase(Trimmed(line.substr(0, colon)), "Content-Length"))
-    return "";
+  if (!EqualsIgnoringCase(name, "Content-Length")) return "";
   const std::string_view value = Trimmed(line.substr(colon + 1));
   const auto [end, error] =
       std::from_chars(value.data(), value.data() + value.size(), length_);

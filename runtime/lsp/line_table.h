@@ -55,7 +55,8 @@ class LineTable {
   std::vector<std::uint32_t> begins_;
 };
 
-/// Code units of a text. Bytes that are no UTF-8 count one each.
+/// Code units of a text. What is no UTF-8 has as many as bytes that begin
+/// something.
 std::uint32_t Utf16Length(std::string_view text);
 
 }  // namespace plsc::lsp

@@ -68,7 +68,11 @@ Json ServeFormatting(Workspace& workspace, const Json& params) {
 
 Json ServeCodeActions(Workspace& workspace, const Json& params) {
   Document& document = workspace.documents.At(params);
-  return CodeActions(*document.analysis, document.advice, params);
+  // Before it is whole it has what comments silence.
+  const Advice& advice = document.advice;
+  return CodeActions(*document.analysis,
+                     advice.is_whole ? advice.found : std::vector<Diagnostic>(),
+                     params);
 }
 
 Json ServeOutline(Workspace& workspace, const Json& params) {

@@ -6,6 +6,7 @@
 #include <utility>
 #include <variant>
 
+#include "runtime/lsp/advice.h"
 #include "runtime/lsp/capabilities.h"
 #include "runtime/lsp/diagnostics.h"
 #include "runtime/lsp/params.h"
@@ -65,9 +66,8 @@ class Server::Session {
     }
     for (auto& [uri, document] : workspace_.documents.all()) {
       if (!WantsAdvice(document)) continue;
-      document.is_linted = true;
-      document.advice = AdviceOn(*document.analysis);
-      if (document.advice.empty()) return {};
+      GiveMoreAdvice(*document.analysis, &document.advice);
+      if (!document.advice.is_whole || document.advice.found.empty()) return {};
       return {Published(document)};
     }
     return {};
@@ -81,12 +81,12 @@ class Server::Session {
   }
 
   bool WantsAdvice(const Document& document) const {
-    return workspace_.settings.lint && !document.is_linted;
+    return workspace_.settings.lint && !document.advice.is_whole;
   }
 
   static std::string Published(Document& document) {
-    return PublishBody(
-        PublishedJson(*document.analysis, document.version, document.advice));
+    return PublishBody(PublishedJson(*document.analysis, document.version,
+                                     document.advice.found));
   }
 
   void Send(std::string body) {

@@ -27,7 +27,7 @@ class Server {
   /// Whether Idle has something to do.
   bool has_work() const;
   /// One piece of work that nobody waits for in order: diagnostics of a changed
-  /// document first, advice on one (Lint) when all are told.
+  /// document first, then advice (Lint) on one genotype.
   std::vector<std::string> Idle();
   /// After `exit`: 0 when the client said `shutdown` before, else 1.
   std::optional<int> exit_status() const;

@@ -25,8 +25,7 @@ bool TakeSettings(const Json& json, Workspace* workspace) {
   if (other_advice)
     for (auto& [uri, document] : workspace->documents.all()) {
       document.is_published = false;
-      document.is_linted = false;
-      document.advice.clear();
+      document.advice = {};
     }
   return other_place || other_advice;
 }
