@@ -1,6 +1,7 @@
 -- Neovim as a client of `plsc lsp`: opens a broken file, waits for what is said
 -- of it, applies a code action, hovers, renames, formats. Run as
---   PLSC=plsc nvim --headless --clean -u neovim_test.lua
+--   PLSC=plsc PLSC_SOURCE=. nvim --headless --clean -u neovim_test.lua
+-- with the settings that docs/editors/README.md tells people to use.
 -- Ends with status 0, or 1 and the reason.
 
 local file = vim.fn.tempname() .. ".pls"
@@ -23,7 +24,7 @@ local function check(holds, what)
 end
 
 local function wait(what, holds)
-  check(vim.wait(limit, holds, 5), what)
+  check(vim.wait(limit, function() return holds() and true or false end, 5), what)
 end
 
 local function lines()
@@ -35,17 +36,17 @@ local function contains(what)
 end
 
 local function main()
-  local client = vim.lsp.start_client({
-    name = "plsc",
-    cmd = { vim.env.PLSC, "lsp" },
-    root_dir = vim.fn.fnamemodify(file, ":h"),
-    init_options = { environment = "tilted" },
-  })
-  check(client, "the server to start")
+  local readme = table.concat(vim.fn.readfile(vim.env.PLSC_SOURCE .. "/docs/editors/README.md"), "\n")
+  local settings = readme:match("\n```lua\n(.-)\n```")
+  check(settings, "settings in docs/editors/README.md")
+  vim.env.PATH = vim.fn.fnamemodify(vim.env.PLSC, ":h") .. ":" .. vim.env.PATH
+  loadstring(settings)()
   vim.fn.writefile(text, file)
   vim.cmd("edit " .. file)
+  check(vim.bo.filetype == "pls", "the type of the file")
   local buffer = vim.api.nvim_get_current_buf()
-  check(vim.lsp.buf_attach_client(buffer, client), "the client to attach")
+  wait("the server to start", function() return next(vim.lsp.buf_get_clients(buffer)) end)
+  local client = next(vim.lsp.buf_get_clients(buffer))
   local server = vim.lsp.get_client_by_id(client)
   local function ask(method, params)
     local answer = server.request_sync(method, params, limit, buffer)
@@ -99,7 +100,8 @@ local function main()
     "the new name everywhere, got\n" .. table.concat(lines(), "\n"))
   check(not contains("inclined"), "the old name nowhere")
 
-  -- Which rules are active in the environment of init_options.
+  -- Which rules are active in an environment.
+  ask("workspace/executeCommand", { command = "plsc.chooseEnvironment", arguments = { "tilted" } })
   local hints = ask("textDocument/inlayHint", {
     textDocument = vim.lsp.util.make_text_document_params(),
     range = { start = { line = 0, character = 0 }, ["end"] = { line = 99, character = 0 } },
