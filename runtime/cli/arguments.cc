@@ -165,6 +165,7 @@ Commands AddAll(CLI::App& app) {
   commands.Add(app, AddDraw);
   commands.Add(app, AddLint);
   commands.Add(app, AddMerge);
+  commands.Add(app, AddLsp);
   commands.Add(app, AddRegulate);
   commands.Add(app, AddSimulate);
   commands.Add(app, AddEvaluate);

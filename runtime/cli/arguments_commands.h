@@ -33,6 +33,7 @@ CLI::App* AddLint(CLI::App& app, LintCommand& command);
 CLI::App* AddMerge(CLI::App& app, MergeCommand& command);
 CLI::App* AddMan(CLI::App& app, ManCommand& command);
 CLI::App* AddMutate(CLI::App& app, MutateCommand& command);
+CLI::App* AddLsp(CLI::App& app, LspCommand& command);
 CLI::App* AddRandom(CLI::App& app, RandomCommand& command);
 CLI::App* AddReplay(CLI::App& app, ReplayCommand& command);
 CLI::App* AddReport(CLI::App& app, ReportCommand& command);

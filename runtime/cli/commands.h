@@ -183,6 +183,10 @@ struct MutateCommand {
   std::string output;      ///< empty: standard output
   OutputFormat format = OutputFormat::kText;
   bool allow_range = false;
+/// What some clients say to every server; nothing depends on it.
+struct LspCommand {
+  bool stdio = true;
+  std::string client_process_id;
 };
 
 struct RegulateCommand {
@@ -350,6 +354,10 @@ using Command =
                  ShowCommand, SimulateCommand, StatsCommand, StudyListCommand,
                  StudyRunCommand, StudyStatusCommand, TestCommand, TrimCommand,
                  ViewCommand, WhyCommand>;
+                 FmtCommand, LintCommand, LspCommand, RandomCommand,
+                 RegulateCommand, ReplayCommand, ReportCommand, ShowCommand,
+                 SimulateCommand, StudyListCommand, StudyRunCommand,
+                 StudyStatusCommand, TestCommand, ViewCommand, WhyCommand>;
 
 /// `arguments` without the program's name.
 Command ParseArguments(const std::vector<std::string>& arguments);
@@ -366,6 +374,7 @@ Exit Run(const DiffCommand& command, Io& io);
 Exit Run(const DrawCommand& command, Io& io);
 Exit Run(const LintCommand& command, Io& io);
 Exit Run(const MergeCommand& command, Io& io);
+Exit Run(const LspCommand& command, Io& io);
 Exit Run(const RegulateCommand& command, Io& io);
 Exit Run(const ReplayCommand& command, Io& io);
 Exit Run(const ReportCommand& command, Io& io);
