@@ -34,6 +34,10 @@ def main():
         run("dpkg-deb", "-x", program, root)
         run("dpkg-deb", "-x", library, root)
         for wanted in ("usr/share/doc/plsc/copyright",
+                       "usr/share/man/man1/plsc-trim.1",
+                       "usr/share/bash-completion/completions/plsc",
+                       "usr/share/zsh/site-functions/_plsc",
+                       "usr/share/fish/vendor_completions.d/plsc.fish",
                        "usr/share/doc/plsc/examples/climber.pls",
                        "usr/include/plsc/compiler/compile.h"):
             assert (root / wanted).is_file(), wanted
