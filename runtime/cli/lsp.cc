@@ -34,7 +34,7 @@ std::string ReadSome(Io& io) {
   std::streambuf& buffer = *io.in.rdbuf();
   if (Traits::eq_int_type(buffer.sgetc(), Traits::eof())) return "";
   // Pipes hold 64 KiB.
-  constexpr std::streamsize kMostBytes = 64 * 1024;
+  constexpr std::streamsize kMostBytes = std::streamsize{64} << 10U;
   std::string bytes(static_cast<std::size_t>(std::clamp<std::streamsize>(
                         buffer.in_avail(), 1, kMostBytes)),
                     '\0');

@@ -11,7 +11,7 @@
 namespace plsc::lsp {
 
 /// Clients send about 30 bytes.
-inline constexpr std::size_t kMaxHeaderBytes = 8 * 1024;
+inline constexpr std::size_t kMaxHeaderBytes = std::size_t{8} << 10U;
 /// A genotype has 16 MiB at most (grammar/screen.h), and each of its bytes may
 /// take several in JSON.
 inline constexpr std::size_t kMaxBodyBytes = std::size_t{64} << 20U;
