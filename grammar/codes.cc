@@ -53,6 +53,8 @@ constexpr CodeInfo kCodes[] = {
      "can hold"},
     {"P4001", "a string that grows beyond what development may produce"},
     {"P4002", "an inline test whose expectation does not come out"},
+    {"P4003",
+     "clauses that tell apart too many environments to prove anything of all"},
     {"P5001", "the version line is missing or wrong"},
     {"P5002", "a file of a newer language"},
     {"P5003", "a version of an alphabet that this tool does not know"},
@@ -74,6 +76,9 @@ constexpr CodeInfo kCodes[] = {
     {"P5106", "a key of YAML that is required"},
     {"P5107", "a word of YAML that is none of those expected"},
     {"P5108", "values of YAML that do not fit together"},
+    {"P5200",
+     "a genotype of the authors' program that cannot be read, or cannot be "
+     "written as one"},
     {"W1001", "a '# plsc:' comment that asks for what does not exist"},
     {"W3002", "a clause that is true, or false, in every environment"},
     {"W3003",
@@ -87,6 +92,8 @@ constexpr CodeInfo kCodes[] = {
     {"W4002",
      "a symbol that is expressed in no environment, or a rule that is used "
      "in none (on request)"},
+    {"W5200",
+     "something that an import or export loses, or that was lost before"},
 };
 
 }  // namespace

@@ -76,8 +76,7 @@ std::optional<Diagnostic> DescribeForeignFile(std::string_view text) {
   diagnostic.notes.emplace_back(
       "Revolve's AJ1 is the paper's A2 and its AJ2 is A1; parameters are "
       "ordered w, a, p, o");
-  diagnostic.help =
-      "write its rules in plsc's language, as in 'rule C -> { C add_front B }'";
+  diagnostic.help = "translate it: plsc import FILE -o robot.pls";
   return diagnostic;
 }
 

@@ -147,20 +147,9 @@ class Commands {
   std::vector<Entry> entries_;
 };
 
-}  // namespace
-
-void AddFormat(CLI::App* command, OutputFormat& format, const char* json) {
-  command
-      ->add_option("--format", format,
-                   std::string("text for people (default), or json: ") + json)
-      ->transform(CLI::CheckedTransformer(std::map<std::string, OutputFormat>{
-          {"text", OutputFormat::kText}, {"json", OutputFormat::kJson}}))
-      ->type_name("text|json")
-      ->option_text("text|json");
-}
-
-Command ParseArguments(const std::vector<std::string>& arguments) {
-  CLI::App app(kOverview, "plsc");
+Commands AddAll(CLI::App& app) {
+  app.name("plsc");
+  app.description(kOverview);
   app.set_version_flag("--version", std::string("plsc ") + kVersion);
   app.footer(kFooter);
   app.require_subcommand(1);
@@ -176,8 +165,10 @@ Command ParseArguments(const std::vector<std::string>& arguments) {
   commands.Add(app, AddDraw);
   commands.Add(app, AddLint);
   commands.Add(app, AddMerge);
+  commands.Add(app, AddLsp);
   commands.Add(app, AddRegulate);
   commands.Add(app, AddSimulate);
+  commands.Add(app, AddEvaluate);
   commands.Add(app, AddEvolve);
   commands.Add(app, AddShow);
   commands.Add(app, AddReplay);
@@ -190,7 +181,38 @@ Command ParseArguments(const std::vector<std::string>& arguments) {
   commands.Add(app, AddWhy);
   commands.Add(app, AddTest);
   commands.Add(app, AddRandom);
+  commands.Add(app, AddImport);
+  commands.Add(app, AddMutate);
+  commands.Add(app, AddCross);
+  commands.Add(app, AddTrim);
+  commands.Add(app, AddStats);
+  commands.Add(app, AddHash);
+  commands.Add(app, AddCompletion);
+  commands.Add(app, AddMan);
+  return commands;
+}
 
+}  // namespace
+
+void AddFormat(CLI::App* command, OutputFormat& format, const char* json) {
+  command
+      ->add_option("--format", format,
+                   std::string("text for people (default), or json: ") + json)
+      ->transform(CLI::CheckedTransformer(std::map<std::string, OutputFormat>{
+          {"text", OutputFormat::kText}, {"json", OutputFormat::kJson}}))
+      ->type_name("text|json")
+      ->option_text("text|json");
+}
+
+CommandDescription DescribeCommandLine() {
+  CLI::App app;
+  AddAll(app);
+  return DescribeApp(app, "");
+}
+
+Command ParseArguments(const std::vector<std::string>& arguments) {
+  CLI::App app;
+  const Commands commands = AddAll(app);
   if (auto answer = UnknownCommand(app, arguments)) return *answer;
   try {
     app.parse(ForParsing(arguments));

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "runtime/cli/io.h"
+#include "runtime/exports/export_format.h"
 
 namespace plsc::cli {
 
@@ -30,6 +31,14 @@ struct CheckCommand {
   int max_errors = 20;  ///< a file, text format only; 0 shows all
 };
 
+struct EvaluateCommand {
+  bool is_stdin = false;  ///< the only source there is
+  std::string scenario;   ///< empty: the paper's
+  std::optional<int> jobs;
+  bool in_order = false;  ///< answers come in the order of the requests
+  bool allow_range = false;
+};
+
 struct ExplainCommand {
   std::string code;
   bool list = false;
@@ -37,10 +46,17 @@ struct ExplainCommand {
 };
 
 struct ExportCommand {
-  std::string file;        ///< the store of a run
+  std::string file;        ///< the store of a run; a genotype file for `to`
   std::string csv_folder;  ///< empty: none
   bool jsonl = false;
-  std::string output;  ///< of --jsonl; empty: standard output
+  std::optional<ExportFormat> to;         ///< a robot instead of the run
+  std::string individual;                 ///< of `to`; as RobotAsked's
+  std::vector<std::string> environments;  ///< of `to`; as DevelopCommand's
+  bool alone = false;                     ///< of `to`: without floor
+  bool allow_range = false;               ///< of `to`
+  /// Of --jsonl or --to; empty: standard output. A folder if there are several
+  /// environments.
+  std::string output;
   bool force = false;  ///< overwrites files
 };
 
@@ -57,6 +73,31 @@ struct FmtCommand {
   bool diff = false;
   bool to_stdout = false;
   bool compact = false;
+};
+
+/// Of the evolver's streams of random numbers (runtime/evolve/rng.h): those of
+/// the child that a run would bear then.
+struct StreamChoice {
+  std::uint64_t seed = 0;
+  std::uint64_t generation = 0;
+  std::uint64_t individual = 0;  ///< of the first child; the next has the next
+};
+
+enum class Shell : std::uint8_t { kBash, kZsh, kFish };
+
+struct CompletionCommand {
+  Shell shell = Shell::kBash;
+};
+
+struct CrossCommand {
+  std::string first;  ///< whose states, settings and environments stay
+  std::string second;
+  StreamChoice stream;
+  int count = 1;
+  std::string experiment;  ///< empty: the paper's
+  std::string output;      ///< empty: standard output
+  OutputFormat format = OutputFormat::kText;
+  bool allow_range = false;
 };
 
 struct DevelopCommand {
@@ -93,6 +134,25 @@ struct DrawCommand {
   bool allow_range = false;
 };
 
+struct HashCommand {
+  std::vector<std::string> files;
+  bool phenotype = false;  ///< of the developed robots, one an environment
+  std::vector<std::string> environments;  ///< as DevelopCommand's
+  bool allow_range = false;
+};
+
+enum class ImportFormat : std::uint8_t { kAuto, kRepr, kLines };
+
+struct ImportCommand {
+  std::string file;
+  ImportFormat from = ImportFormat::kAuto;
+  std::string name;                  ///< of the genotype; empty: the file's
+  std::vector<std::string> renames;  ///< "hill=inclined"
+  std::string output;                ///< empty: standard output
+  bool unjoin = false;
+  bool allow_range = false;
+};
+
 struct LintCommand {
   std::vector<std::string> files;
   OutputFormat format = OutputFormat::kText;
@@ -110,7 +170,23 @@ struct MergeCommand {
   int marker_size = 7;              ///< characters of a conflict marker
   std::string path;                 ///< git's name of the file; empty: `ours`
   std::vector<std::string> labels;  ///< of ours, base, theirs
+struct ManCommand {
+  std::vector<std::string> command;  ///< "study", "run"; empty: plsc itself
+  std::string all;                   ///< a folder for all pages; empty: none
+};
+
+struct MutateCommand {
+  std::string file;
+  StreamChoice stream;
+  int count = 1;
+  std::string experiment;  ///< empty: the paper's
+  std::string output;      ///< empty: standard output
+  OutputFormat format = OutputFormat::kText;
   bool allow_range = false;
+/// What some clients say to every server; nothing depends on it.
+struct LspCommand {
+  bool stdio = true;
+  std::string client_process_id;
 };
 
 struct RegulateCommand {
@@ -171,6 +247,22 @@ struct RandomCommand {
   int max_rules = 2;
   int max_terms = 2;
   std::string output;  ///< empty: standard output
+};
+
+struct StatsCommand {
+  std::vector<std::string> files;
+  std::vector<std::string> environments;  ///< as DevelopCommand's
+  OutputFormat format = OutputFormat::kText;
+  bool allow_range = false;
+};
+
+struct TrimCommand {
+  std::string file;
+  bool write = false;  ///< in place
+  std::string output;  ///< empty: standard output, unless `write`
+  bool check = false;
+  OutputFormat format = OutputFormat::kText;
+  bool allow_range = false;
 };
 
 struct ViewCommand {
@@ -245,9 +337,24 @@ struct Answer {
 };
 
 using Command =
+    std::variant<Answer, CheckCommand, DevelopCommand, DrawCommand,
+                 EvaluateCommand, EvolveCommand, ExplainCommand, ExportCommand,
+                 FixCommand, FmtCommand, LintCommand, RandomCommand,
     std::variant<Answer, CheckCommand, DevelopCommand, DiffCommand, DrawCommand,
                  EvolveCommand, ExplainCommand, ExportCommand, FixCommand,
                  FmtCommand, LintCommand, MergeCommand, RandomCommand,
+                 RegulateCommand, ReplayCommand, ReportCommand, ShowCommand,
+                 SimulateCommand, StudyListCommand, StudyRunCommand,
+                 StudyStatusCommand, TestCommand, ViewCommand, WhyCommand>;
+    std::variant<Answer, CheckCommand, CompletionCommand, CrossCommand,
+                 DevelopCommand, DrawCommand, EvolveCommand, ExplainCommand,
+                 ExportCommand, FixCommand, FmtCommand, HashCommand,
+                 ImportCommand, LintCommand, ManCommand, MutateCommand,
+                 RandomCommand, RegulateCommand, ReplayCommand, ReportCommand,
+                 ShowCommand, SimulateCommand, StatsCommand, StudyListCommand,
+                 StudyRunCommand, StudyStatusCommand, TestCommand, TrimCommand,
+                 ViewCommand, WhyCommand>;
+                 FmtCommand, LintCommand, LspCommand, RandomCommand,
                  RegulateCommand, ReplayCommand, ReportCommand, ShowCommand,
                  SimulateCommand, StudyListCommand, StudyRunCommand,
                  StudyStatusCommand, TestCommand, ViewCommand, WhyCommand>;
@@ -257,6 +364,7 @@ Command ParseArguments(const std::vector<std::string>& arguments);
 
 Exit Run(const Answer& answer, Io& io);
 Exit Run(const CheckCommand& command, Io& io);
+Exit Run(const EvaluateCommand& command, Io& io);
 Exit Run(const ExplainCommand& command, Io& io);
 Exit Run(const ExportCommand& command, Io& io);
 Exit Run(const FixCommand& command, Io& io);
@@ -266,6 +374,7 @@ Exit Run(const DiffCommand& command, Io& io);
 Exit Run(const DrawCommand& command, Io& io);
 Exit Run(const LintCommand& command, Io& io);
 Exit Run(const MergeCommand& command, Io& io);
+Exit Run(const LspCommand& command, Io& io);
 Exit Run(const RegulateCommand& command, Io& io);
 Exit Run(const ReplayCommand& command, Io& io);
 Exit Run(const ReportCommand& command, Io& io);
@@ -279,6 +388,14 @@ Exit Run(const RandomCommand& command, Io& io);
 Exit Run(const ViewCommand& command, Io& io);
 Exit Run(const WhyCommand& command, Io& io);
 Exit Run(const TestCommand& command, Io& io);
+Exit Run(const TrimCommand& command, Io& io);
+Exit Run(const StatsCommand& command, Io& io);
+Exit Run(const ManCommand& command, Io& io);
+Exit Run(const MutateCommand& command, Io& io);
+Exit Run(const HashCommand& command, Io& io);
+Exit Run(const ImportCommand& command, Io& io);
+Exit Run(const CompletionCommand& command, Io& io);
+Exit Run(const CrossCommand& command, Io& io);
 
 /// The whole program, as tests call it.
 Exit Main(const std::vector<std::string>& arguments, Io& io);

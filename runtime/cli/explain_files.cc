@@ -62,10 +62,9 @@ often in a comment. Save it as UTF-8, or convert it with iconv.
 )"},
     {"P5012", ExampleKind::kGenotype,
      R"(The file is a genotype as Revolve, the authors' program, writes it:
-Python, or lines of its own tokens. plsc reads its own language, in
-which such rules can be written one for one. Revolve's joint AJ1 is the
-paper's A2 and AJ2 is A1; their parameters are written in the order w,
-a, p, o. Revolve's clause 'hill == True' becomes 'if hill = True then'.
+Python, or lines of its own tokens. 'plsc import' translates it, rule by
+rule. Revolve's joint AJ1 is the paper's A2 and AJ2 is A1; their
+parameters are written in the order w, a, p, o. Revolve's clause 'hill == True' becomes 'if hill = True then'.
 )",
      R"(C C addf B movef
 B B addl ST_0.5

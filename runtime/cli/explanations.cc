@@ -8,7 +8,7 @@ std::vector<Explanation> Explanations() {
   std::vector<Explanation> all;
   for (const auto table :
        {SyntaxExplanations(), NameExplanations(), RegulationExplanations(),
-        FileExplanations(), YamlExplanations()})
+        FileExplanations(), YamlExplanations(), HouseholdExplanations()})
     all.insert(all.end(), table.begin(), table.end());
   std::sort(all.begin(), all.end(),
             [](const Explanation& a, const Explanation& b) {

@@ -18,6 +18,8 @@ enum class ExampleKind : std::uint8_t {
   kLint,        ///< compiled, then looked at for advice (runtime/lint.h)
   kDevelop,     ///< compiles, but cannot be developed
   kTest,        ///< compiles, but its own tests fail
+  kTrim,        ///< compiles, but cannot be trimmed
+  kImport,      ///< a genotype of the authors' program
   kExperiment,  ///< YAML, read as an experiment
   kCommand,     ///< a command line: the file itself cannot be shown
 };
@@ -42,5 +44,6 @@ std::span<const Explanation> NameExplanations();        ///< P20
 std::span<const Explanation> RegulationExplanations();  ///< P3, P4, W
 std::span<const Explanation> FileExplanations();        ///< P50
 std::span<const Explanation> YamlExplanations();        ///< P51
+std::span<const Explanation> HouseholdExplanations();   ///< P4003, 52
 
 }  // namespace plsc::cli

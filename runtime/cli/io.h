@@ -36,6 +36,8 @@ struct Io {
   bool out_in_color = false;     ///< results, likewise
   /// Characters a line of `out`; that of most terminals where nobody knows.
   std::size_t out_columns = 80;
+  /// Of `in`, to wait for it and for others; -1: it never lets anybody wait.
+  int input_descriptor = -1;
 };
 
 /// Whether a stream gets colour that nobody asked for: a terminal does, unless

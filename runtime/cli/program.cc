@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <numeric>
 #include <ostream>
 #include <system_error>
 #include <utility>
@@ -135,6 +136,29 @@ std::optional<LoadedProgram> LoadWithMap(const std::string& path,
   if (!chosen) chosen = Choose(*all, from.genotype, *source, io);
   if (!chosen) return std::nullopt;
   return LoadedProgram{std::move(*source), std::move((*all)[*chosen])};
+}
+
+std::optional<LoadedFile> LoadFile(const std::string& path, bool allow_range,
+                                   Io& io) {
+  const GenotypePath from = SplitGenotypePath(path);
+  std::optional<Source> source = Read(from.file, io);
+  if (!source) return std::nullopt;
+  auto all =
+      Checked(CompileAllWithMap(*source, Options(allow_range)), *source, io);
+  if (!all) return std::nullopt;
+  std::vector<std::size_t> chosen(all->size());
+  std::iota(chosen.begin(), chosen.end(), std::size_t{0});
+  if (!from.genotype.empty()) {
+    const auto one = Choose(*all, from.genotype, *source, io);
+    if (!one) return std::nullopt;
+    chosen = {*one};
+  }
+  return LoadedFile{std::move(*source), std::move(*all), std::move(chosen)};
+}
+
+std::string PathOf(const LoadedFile& file, std::size_t genotype) {
+  if (file.all.size() == 1) return file.source.name();
+  return file.source.name() + '#' + file.all[genotype].program.genotype.name;
 }
 
 std::optional<Program> LoadProgram(const std::string& path, bool allow_range,

@@ -5,6 +5,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "compiler/compile.h"
 #include "runtime/cli/io.h"
@@ -34,6 +35,20 @@ struct LoadedProgram {
 std::optional<LoadedProgram> LoadWithMap(
     const std::string& path, bool allow_range, Io& io,
     const std::optional<Position>& at = std::nullopt);
+
+/// A file and those of its genotypes that are meant: the one behind '#', or
+/// all.
+struct LoadedFile {
+  Source source;
+  std::vector<MappedProgram> all;
+  std::vector<std::size_t> chosen;  ///< indices into `all`, at least one
+};
+/// Prints what is wrong, and warnings, to io.err.
+std::optional<LoadedFile> LoadFile(const std::string& path, bool allow_range,
+                                   Io& io);
+
+/// "zoo.pls#gecko", or the file where it holds one genotype.
+std::string PathOf(const LoadedFile& file, std::size_t genotype);
 
 /// Says that development would outgrow its limit in that environment.
 void ReportGrowth(const LoadedProgram& loaded, const NamedEnvironment& named,

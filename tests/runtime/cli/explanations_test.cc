@@ -7,8 +7,10 @@
 #include "compiler/compile.h"
 #include "grammar/codes.h"
 #include "runtime/evolve/experiment.h"
+#include "runtime/formats/authors_genotype.h"
 #include "runtime/inline_test.h"
 #include "runtime/lint.h"
+#include "runtime/trim.h"
 #include "tests/runtime/cli/run_plsc.h"
 
 namespace plsc {
@@ -66,6 +68,10 @@ Codes CodesOfCommand(std::string_view line) {
 Codes CodesOfExample(ExampleKind kind, std::string_view example) {
   if (kind == ExampleKind::kCommand) return CodesOfCommand(example);
   const Source source("example", std::string(example));
+  if (kind == ExampleKind::kTrim) return CodesOf(Trim(source).diagnostics());
+  if (kind == ExampleKind::kImport)
+    return CodesOf(ImportAuthorsGenotype(source, GuessAuthorsFormat(example))
+                       .diagnostics());
   if (kind == ExampleKind::kExperiment)
     return CodesOf(ParseExperiment(source).diagnostics());
   if (kind == ExampleKind::kLint) {

@@ -1,0 +1,13 @@
+#include <ostream>
+
+#include "runtime/cli/commands.h"
+#include "runtime/cli/completion_script.h"
+
+namespace plsc::cli {
+
+Exit Run(const CompletionCommand& command, Io& io) {
+  io.out << CompletionScript(DescribeCommandLine(), command.shell);
+  return Exit::kFine;
+}
+
+}  // namespace plsc::cli

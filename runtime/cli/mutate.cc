@@ -1,0 +1,120 @@
+#include "runtime/evolve/mutate.h"
+
+#include <fmt/format.h>
+
+#include <ostream>
+#include <utility>
+
+#include "compiler/print.h"
+#include "runtime/cli/commands.h"
+#include "runtime/cli/load_yaml.h"
+#include "runtime/cli/offspring.h"
+#include "runtime/cli/output_path.h"
+#include "runtime/cli/program.h"
+
+namespace plsc::cli {
+
+namespace {
+
+struct HowToMutate {
+  Encoding encoding = Encoding::kPlasticoding;
+  MutationOptions options;
+  double probability = Experiment{}.mutation;
+};
+
+// A genotype that senses nothing has no clauses to change.
+Encoding EncodingOf(const Genotype& genotype) {
+  return genotype.states.empty() ? Encoding::kBaseline
+                                 : Encoding::kPlasticoding;
+}
+
+const char* VerbOf(MutationKind kind) {
+  switch (kind) {
+    case MutationKind::kDelete:
+      return "deleted a symbol of";
+    case MutationKind::kSwap:
+      return "swapped two symbols of";
+    case MutationKind::kAdd:
+      return "added a symbol to";
+    case MutationKind::kClause:
+      break;
+  }
+  return "changed the clause of";
+}
+
+// Rules are told as those of the parent.
+std::string RuleText(const Genotype& parent, std::size_t rule) {
+  const Rule& one = parent.rules[rule];
+  return fmt::format(
+      "rule {} ({}{})", rule + 1, (*parent.alphabet)[one.head].name,
+      one.clause.is_always() ? "" : " if " + PrintClause(one.clause, parent));
+}
+
+// As the evolver does it: the first number of the stream decides whether a
+// child is mutated, which here it always is.
+OneChild MutateOne(const Program& parent, const HowToMutate& how,
+                   const StreamKey& key) {
+  Rng rng(key);
+  rng.Bernoulli(how.probability);
+  const Mutation mutation =
+      DrawMutation(parent.genotype, how.encoding, rng, how.options);
+  OneChild child{parent, "", {}};
+  child.program.tests.clear();
+  child.program.genotype = Mutate(parent.genotype, mutation, rng, how.options);
+  const bool has_changed = child.program.genotype != parent.genotype;
+  const std::string rule = RuleText(parent.genotype, mutation.rule);
+  child.told = has_changed
+                   ? fmt::format("{} {}", VerbOf(mutation.kind), rule)
+                   : fmt::format("nothing changed: {} of {} had no effect",
+                                 MutationName(mutation.kind), rule);
+  child.what = {{"seed", key.seed},
+                {"generation", key.generation},
+                {"individual", key.individual},
+                {"mutation", MutationName(mutation.kind)},
+                {"rule", mutation.rule + 1},
+                {"changed", has_changed}};
+  return child;
+}
+
+// Whether the evolver's operators know the genotype. Prints why not.
+bool CanVary(const Genotype& genotype, const std::string& path, Io& io) {
+  const char* problem = nullptr;
+  if (!genotype.alphabet->is_built_in())
+    problem = "operators want the alphabet 'plasticoding 1', not a file's own";
+  else if (genotype.rules.empty())
+    problem = "at least one rule is expected, to be mutated";
+  if (problem != nullptr)
+    io.err << fmt::format("error: {}: {}\n", path, problem);
+  return problem == nullptr;
+}
+
+}  // namespace
+
+Exit Run(const MutateCommand& command, Io& io) {
+  const std::string input = SplitGenotypePath(command.file).file;
+  if (!CanWrite(command.output, {input, command.experiment}, io))
+    return Exit::kBadInput;
+  const auto parent = LoadProgram(command.file, command.allow_range, io);
+  if (!parent || !CanVary(parent->genotype, command.file, io))
+    return Exit::kBadInput;
+  HowToMutate how;
+  how.encoding = EncodingOf(parent->genotype);
+  if (!command.experiment.empty()) {
+    const auto experiment = LoadExperiment(command.experiment, io);
+    if (!experiment) return Exit::kBadInput;
+    how = {experiment->genotype.encoding, experiment->variation,
+           experiment->mutation};
+  }
+  std::vector<OneChild> children;
+  for (int i = 0; i < command.count; ++i)
+    children.push_back(
+        MutateOne(*parent, how,
+                  {command.stream.seed, command.stream.generation,
+                   command.stream.individual + static_cast<std::uint64_t>(i),
+                   Purpose::kMutate}));
+  const bool is_delivered =
+      DeliverChildren(std::move(children), command.output, command.format, io);
+  return is_delivered ? Exit::kFine : Exit::kBadInput;
+}
+
+}  // namespace plsc::cli

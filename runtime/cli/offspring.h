@@ -1,0 +1,27 @@
+#pragma once
+
+// What `plsc mutate` and `plsc cross` hand out: genotypes as one file, or one
+// JSON object a line, and a line to people about each.
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "compiler/program.h"
+#include "runtime/cli/commands.h"
+#include "runtime/cli/io.h"
+
+namespace plsc::cli {
+
+struct OneChild {
+  Program program;
+  std::string told;             ///< "deleted a symbol of rule 3 (B)"
+  nlohmann::ordered_json what;  ///< the same for scripts
+};
+
+/// Several genotypes get the numbers from 1 behind their names. Whether the
+/// texts went where they were wanted; prints what is wrong.
+bool DeliverChildren(std::vector<OneChild> children, const std::string& output,
+                     OutputFormat format, Io& io);
+
+}  // namespace plsc::cli

@@ -1,0 +1,128 @@
+#include "runtime/trim.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <ostream>
+
+#include "runtime/cli/commands.h"
+#include "runtime/cli/output_path.h"
+#include "runtime/cli/program.h"
+
+namespace plsc::cli {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json CountsJson(const PieceCounts& counts) {
+  return {{"rules", counts.rules},
+          {"terms", counts.terms},
+          {"symbols", counts.symbols}};
+}
+
+Json RegimeJson(const ComparedRegime& regime) {
+  return {{"where", regime.where},
+          {"environments", regime.count},
+          {"named", regime.named},
+          {"before", Hex(regime.before)},
+          {"after", Hex(regime.after)}};
+}
+
+Json TrimJson(const Source& source, const Trimmed& trimmed) {
+  Json genotypes = Json::array();
+  for (const TrimmedGenotype& one : trimmed.genotypes) {
+    Json proof = Json::array();
+    for (const ComparedRegime& regime : one.proof)
+      proof.push_back(RegimeJson(regime));
+    genotypes.push_back({{"genotype", one.name},
+                         {"before", CountsJson(one.before)},
+                         {"after", CountsJson(one.after)},
+                         {"proof", std::move(proof)}});
+  }
+  return {{"file", source.name()},
+          {"complete", trimmed.is_complete},
+          {"genotypes", std::move(genotypes)},
+          {"text", trimmed.text}};
+}
+
+std::string Of(std::size_t after, std::size_t before, const char* what) {
+  return fmt::format("{} of {} {}", before - after, before, what);
+}
+
+std::string NamesOf(const ComparedRegime& regime) {
+  std::string text = regime.where;
+  if (regime.count > 1)
+    text += fmt::format(" and {} more alike", regime.count - 1);
+  if (!regime.named.empty())
+    text += fmt::format(" ({})", fmt::join(regime.named, ", "));
+  return text;
+}
+
+void TellProof(const Source& source, const Trimmed& trimmed, Io& io) {
+  for (const TrimmedGenotype& one : trimmed.genotypes) {
+    io.err << fmt::format(
+        "{}: {}: {}, {} and {} left out\n", source.name(), one.name,
+        Of(one.after.symbols, one.before.symbols, "symbols"),
+        Of(one.after.rules, one.before.rules, "rules"),
+        Of(one.after.terms, one.before.terms, "terms of clauses"));
+    for (const ComparedRegime& regime : one.proof)
+      io.err << fmt::format("  {}: before {}, after {}\n", NamesOf(regime),
+                            Hex(regime.before), Hex(regime.after));
+  }
+  if (!trimmed.is_complete)
+    io.err << "note: there was too much to try; trimming again may find more\n";
+}
+
+// `name` of FILE#NAME among the genotypes of the file.
+std::optional<std::size_t> Only(const LoadedFile& file) {
+  if (file.chosen.size() == file.all.size()) return std::nullopt;
+  return file.chosen.front();
+}
+
+// Whether the text went where it was wanted.
+bool Deliver(const TrimCommand& command, const Source& source,
+             const Trimmed& trimmed, Io& io) {
+  if (command.check) return true;
+  const std::string& path = command.write ? source.name() : command.output;
+  if (path.empty()) {
+    if (command.format == OutputFormat::kText) io.out << trimmed.text;
+    return true;
+  }
+  if (command.write && trimmed.text == source.text()) return true;
+  const auto failure = WriteFile(path, trimmed.text);
+  if (failure)
+    io.err << fmt::format("error: cannot write '{}': {}\n", path, *failure);
+  return !failure;
+}
+
+}  // namespace
+
+Exit Run(const TrimCommand& command, Io& io) {
+  const std::string input = SplitGenotypePath(command.file).file;
+  if (command.write && input == "-") {
+    io.err << "plsc: --write wants a file, not standard input\n";
+    return Exit::kBadUsage;
+  }
+  if (!CanWrite(command.output, {input}, io)) return Exit::kBadInput;
+  const auto file = LoadFile(command.file, command.allow_range, io);
+  if (!file) return Exit::kBadInput;
+  TrimOptions options;
+  options.only = Only(*file);
+  options.compile.allow_out_of_range = command.allow_range;
+  const Result<Trimmed> trimmed = Trim(file->source, options);
+  if (!trimmed) {
+    Report(trimmed.diagnostics(), file->source, io);
+    return Exit::kBadInput;
+  }
+  if (!Deliver(command, file->source, *trimmed, io)) return Exit::kBadInput;
+  if (command.format == OutputFormat::kJson)
+    io.out << TrimJson(file->source, *trimmed).dump() << '\n';
+  else
+    TellProof(file->source, *trimmed, io);
+  const bool would_change = trimmed->text != file->source.text();
+  return command.check && would_change ? Exit::kBadInput : Exit::kFine;
+}
+
+}  // namespace plsc::cli

@@ -1,0 +1,208 @@
+#include "runtime/formats/authors_genotype.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+#include "compiler/truth.h"
+#include "compiler/verify.h"
+#include "grammar/screen.h"
+
+namespace plsc {
+
+namespace {
+
+namespace p = plasticoding;
+
+Diagnostic Said(Severity severity, const char* code, Span span,
+                std::string message) {
+  Diagnostic diagnostic;
+  diagnostic.severity = severity;
+  diagnostic.code = code;
+  diagnostic.span = span;
+  diagnostic.message = std::move(message);
+  return diagnostic;
+}
+
+bool IsError(const Diagnostic& diagnostic) {
+  return diagnostic.severity == Severity::kError;
+}
+
+bool IsSame(const AuthorsWord& a, const AuthorsWord& b) {
+  return a.token == b.token &&
+         std::equal(a.parameters.begin(), a.parameters.end(),
+                    b.parameters.begin(), b.parameters.end(),
+                    [](const WrittenNumber& x, const WrittenNumber& y) {
+                      return x.value == y.value;
+                    });
+}
+
+class Importer {
+ public:
+  Importer(AuthorsText read, const ImportOptions& options)
+      : read_(std::move(read)),
+        problems_(std::move(read_.problems)),
+        options_(options) {}
+
+  Result<Program> Import() {
+    if (!HasErrors()) {
+      FindJoined();
+      for (const AuthorsRule& rule : read_.rules) Add(rule);
+    }
+    Program program;
+    if (!HasErrors()) {
+      program = Assembled();
+      // With ranges allowed it may complain of ranges.
+      for (const std::string& broken :
+           options_.allow_range ? std::vector<std::string>{} : Verify(program))
+        problems_.push_back(Said(Severity::kError, "P5200", {}, broken));
+    }
+    SortAndDropRepeated(&problems_);
+    if (!HasErrors()) return {std::move(program), std::move(problems_)};
+    return std::move(problems_);
+  }
+
+ private:
+  bool HasErrors() const {
+    return std::any_of(problems_.begin(), problems_.end(), IsError);
+  }
+
+  // In the level season, where every condition is False, Revolve has put the
+  // later active rules of a letter behind its first one, in the genotype.
+  void FindJoined() {
+    const std::vector<double> level(read_.states.size(), 0);
+    std::set<std::string_view> letters;
+    for (const AuthorsRule& rule : read_.rules) {
+      if (!read_.has_clauses || !letters.insert(rule.letter.token).second)
+        continue;
+      std::vector<AuthorsRule*> active;
+      for (AuthorsRule& other : read_.rules)
+        if (other.letter.token == rule.letter.token &&
+            ClauseHolds(other.clause, level))
+          active.push_back(&other);
+      if (active.size() > 1) Unjoin(active);
+    }
+  }
+
+  void Unjoin(const std::vector<AuthorsRule*>& active) {
+    std::vector<AuthorsWord> behind;
+    for (std::size_t i = 1; i < active.size(); ++i) {
+      const auto& symbols = active[i]->symbols;
+      const bool has_core = !symbols.empty() && symbols.front().token == "C";
+      behind.insert(behind.end(), symbols.begin() + (has_core ? 1 : 0),
+                    symbols.end());
+    }
+    AuthorsRule& first = *active.front();
+    if (behind.empty() || first.symbols.size() <= behind.size()) return;
+    const auto begin =
+        first.symbols.end() - static_cast<std::ptrdiff_t>(behind.size());
+    if (!std::equal(begin, first.symbols.end(), behind.begin(), IsSame)) return;
+    Diagnostic diagnostic =
+        Said(Severity::kWarning, "W5200", begin->span,
+             fmt::format("from here on, {} symbols are those of the next rule "
+                         "of {}: Revolve joined them in the level season, "
+                         "before it wrote this",
+                         behind.size(), first.letter.token));
+    if (options_.unjoin)
+      diagnostic.label = "left out";
+    else
+      diagnostic.help =
+          "with --unjoin they are left out, as before that season";
+    problems_.push_back(std::move(diagnostic));
+    if (options_.unjoin) first.symbols.erase(begin, first.symbols.end());
+  }
+
+  void Add(const AuthorsRule& from) {
+    const AuthorsSymbol* letter = FindAuthorsSymbol(from.letter.token);
+    const bool is_letter = letter != nullptr &&
+                           (*PlasticodingAlphabet())[letter->id].is_replaceable;
+    if (!is_letter) {
+      problems_.push_back(
+          Said(Severity::kError, "P2007", from.letter.span,
+               fmt::format("a letter that has rules (C, AJ1, AJ2, B, ST) is "
+                           "expected, not '{}'",
+                           from.letter.token)));
+      return;
+    }
+    const bool is_second =
+        !read_.has_clauses && !letters_.insert(letter->id).second;
+    if (is_second)
+      problems_.push_back(
+          Said(Severity::kError, "P5200", from.letter.span,
+               fmt::format("one rule of '{}' is expected, and this is the "
+                           "second",
+                           from.letter.token)));
+    if (from.symbols.empty()) {
+      problems_.push_back(
+          Said(Severity::kWarning, "W5200", from.span,
+               fmt::format("this rule of {} is empty, which replaces nothing; "
+                           "it is left out",
+                           from.letter.token)));
+      return;
+    }
+    Rule rule{letter->id, from.clause, {}};
+    for (const AuthorsWord& word : from.symbols)
+      if (const auto symbol =
+              ImportSymbol(word, options_.allow_range, &problems_))
+        rule.production.push_back(*symbol);
+    CheckCore(from, letter->id);
+    rules_.push_back(std::move(rule));
+  }
+
+  void CheckCore(const AuthorsRule& from, SymbolId head) {
+    for (std::size_t i = 0; i < from.symbols.size(); ++i) {
+      const bool wants_core = head == p::kC && i == 0;
+      if ((from.symbols[i].token == "C") == wants_core) continue;
+      problems_.push_back(
+          Said(Severity::kError, "P2008", from.symbols[i].span,
+               wants_core ? "a rule of C is expected to start with C"
+                          : "C is expected at the start of rules of C only"));
+    }
+  }
+
+  Program Assembled() const {
+    Program program;
+    Genotype& genotype = program.genotype;
+    genotype.name = options_.name;
+    for (const std::string& state : read_.states)
+      genotype.states.push_back({state, StateType::kBool, 0, 0, {}});
+    genotype.axiom = p::kC;
+    genotype.rules = rules_;
+    std::stable_sort(
+        genotype.rules.begin(), genotype.rules.end(),
+        [](const Rule& a, const Rule& b) { return a.head < b.head; });
+    if (genotype.states.size() == 1)
+      program.environments = {{"plane", {{0}}}, {"tilted5", {{1}}}};
+    return program;
+  }
+
+  AuthorsText read_;
+  std::vector<Diagnostic> problems_;
+  const ImportOptions& options_;
+  std::set<SymbolId> letters_;
+  std::vector<Rule> rules_;
+};
+
+}  // namespace
+
+AuthorsFormat GuessAuthorsFormat(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(" \t\r\n");
+  const bool is_dictionary =
+      first != std::string_view::npos && text[first] == '{';
+  return is_dictionary ? AuthorsFormat::kRepr : AuthorsFormat::kLines;
+}
+
+Result<Program> ImportAuthorsGenotype(const Source& source,
+                                      AuthorsFormat format,
+                                      const ImportOptions& options) {
+  // P5012 says that the text is what is wanted here.
+  const auto problem = Screen(source);
+  if (problem && problem->code != "P5012") return *problem;
+  AuthorsText read = format == AuthorsFormat::kRepr ? ReadAuthorsRepr(source)
+                                                    : ReadAuthorsLines(source);
+  return Importer(std::move(read), options).Import();
+}
+
+}  // namespace plsc

@@ -1,0 +1,35 @@
+#pragma once
+
+// Whether two genotypes develop into the same robots, whatever is sensed: the
+// proof that an edit changed nothing. Every environment that a clause of
+// either tells apart is developed with both.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "compiler/program.h"
+#include "runtime/key.h"
+
+namespace plsc {
+
+/// Environments in which the same rules of both are active.
+struct ComparedRegime {
+  std::string where;  ///< the first of them: "inclined = True"; "always"
+  int count = 0;      ///< of environments that clauses tell apart
+  std::vector<std::string> named;  ///< those of the file among them
+  Key before;                      ///< DevelopedKey
+  Key after;
+};
+
+/// In the order of their first environments. The genotypes have equal states
+/// and alphabets. Nothing when there are too many environments to develop
+/// (runtime/regimes.h), or a string grows beyond its limit.
+std::optional<std::vector<ComparedRegime>> CompareRobots(
+    const Genotype& before, const Genotype& after,
+    const std::vector<NamedEnvironment>& named);
+
+/// Whether all of them have the same robot before and after.
+bool AreSame(const std::vector<ComparedRegime>& regimes);
+
+}  // namespace plsc

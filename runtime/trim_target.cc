@@ -1,0 +1,166 @@
+#include "runtime/trim_target.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "runtime/derive.h"
+#include "runtime/growth.h"
+#include "runtime/inline_test.h"
+#include "runtime/lint.h"
+
+namespace plsc {
+
+namespace {
+
+std::vector<std::size_t> PassingTests(const MappedProgram& mapped) {
+  std::vector<std::size_t> passing;
+  for (std::size_t i = 0; i < mapped.program.tests.size(); ++i)
+    if (!RunInlineTest(mapped, i)) passing.push_back(i);
+  return passing;
+}
+
+Diagnostic TooManyEnvironments(const MappedProgram& mapped) {
+  Diagnostic diagnostic;
+  diagnostic.code = "P4003";
+  diagnostic.span =
+      mapped.map.genotype.end > 0 ? mapped.map.genotype : mapped.map.version;
+  diagnostic.message = fmt::format(
+      "clauses that tell apart at most {} environments are expected, to "
+      "develop in each",
+      StateSpace::kMaxCombinations);
+  diagnostic.label = "nothing can be proved of all environments here";
+  diagnostic.help = "let clauses ask about fewer states or thresholds";
+  return diagnostic;
+}
+
+std::string WhereOf(const TrimTarget& target, const Regime& regime) {
+  const std::string where =
+      target.space.Describe(regime.environment, target.current.states);
+  return where == "always" ? "every environment"
+                           : "an environment with " + where;
+}
+
+std::optional<Diagnostic> DevelopAll(TrimTarget& target) {
+  for (const Regime& regime : target.regimes) {
+    const ActiveRules active =
+        Regulate(target.current, {target.space.At(regime.environment)});
+    const std::uint64_t length = DerivedLength(target.current, active);
+    if (length > kMaxStringLength)
+      return GrowthError(*target.mapped, active, length,
+                         WhereOf(target, regime));
+    target.developed[active.rules] = *DevelopActive(target.current, active);
+  }
+  return std::nullopt;
+}
+
+// The key tells -0 from 0, which compare as equal.
+bool IsSame(const Genotype& genotype, const Developed& a, const Developed& b) {
+  return a == b && DevelopedKey(genotype, a) == DevelopedKey(genotype, b);
+}
+
+// One try of a genotype in a target's place.
+class Attempt {
+ public:
+  Attempt(const TrimTarget& target, Genotype genotype)
+      : target_(target), next_{target.mapped,
+                               target.space,
+                               std::move(genotype),
+                               {},
+                               {},
+                               target.tests} {}
+
+  TrimTry Run(PieceKind kind) {
+    const bool is_fine = DevelopsTheSame(kind) && PassesTests();
+    if (!is_fine) return {std::nullopt, work_};
+    return {std::move(next_), work_};
+  }
+
+ private:
+  std::vector<Regime> RegimesOf(const Genotype& genotype) {
+    // An eighth: a clause is looked up faster than a symbol is derived.
+    work_ += genotype.rules.size() *
+             static_cast<std::size_t>(*target_.space.size()) / 8;
+    return *FindRegimes(genotype, target_.space);
+  }
+
+  // The environments to look at: without symbols or rules no more are told
+  // apart, but without terms others may be.
+  std::vector<Regime> RegimesOfBoth() {
+    Genotype both = target_.current;
+    both.rules.insert(both.rules.end(), next_.current.rules.begin(),
+                      next_.current.rules.end());
+    return RegimesOf(both);
+  }
+
+  bool DevelopsTheSame(PieceKind kind) {
+    next_.regimes =
+        kind == PieceKind::kSymbol ? target_.regimes : RegimesOf(next_.current);
+    const std::vector<Regime> regimes =
+        kind == PieceKind::kTerm ? RegimesOfBoth() : target_.regimes;
+    return std::all_of(
+        regimes.begin(), regimes.end(), [&](const Regime& regime) {
+          return DevelopsTheSameIn({target_.space.At(regime.environment)});
+        });
+  }
+
+  bool DevelopsTheSameIn(const Environment& environment) {
+    // Regulating twice and comparing takes as long as some symbols.
+    work_ += 32;
+    const ActiveRules active = Regulate(next_.current, environment);
+    const Developed& wanted =
+        target_.developed.at(Regulate(target_.current, environment).rules);
+    const auto known = next_.developed.find(active.rules);
+    if (known != next_.developed.end())
+      return IsSame(next_.current, known->second, wanted);
+    const std::uint64_t length = DerivedLength(next_.current, active);
+    if (length > kMaxStringLength) return false;
+    work_ += length;
+    auto developed = DevelopActive(next_.current, active);
+    if (!IsSame(next_.current, *developed, wanted)) return false;
+    next_.developed[active.rules] = std::move(*developed);
+    return true;
+  }
+
+  bool PassesTests() const {
+    if (next_.tests.empty()) return true;
+    const Program& program = target_.mapped->program;
+    const MappedProgram mapped{
+        {next_.current, program.environments, program.tests},
+        target_.mapped->map};
+    return std::none_of(
+        next_.tests.begin(), next_.tests.end(),
+        [&](std::size_t test) { return RunInlineTest(mapped, test); });
+  }
+
+  const TrimTarget& target_;
+  TrimTarget next_;
+  std::uint64_t work_ = 0;
+};
+
+}  // namespace
+
+Result<TrimTarget> MakeTrimTarget(const MappedProgram& mapped) {
+  const Genotype& genotype = mapped.program.genotype;
+  TrimTarget target{&mapped, StateSpace(genotype), genotype, {}, {}, {}};
+  const auto regimes = FindRegimes(genotype, target.space);
+  // Proofs look at the rules of before and after together.
+  const bool is_too_much =
+      !regimes ||
+      genotype.rules.size() >
+          kMaxRegulations / 2 / static_cast<std::size_t>(*target.space.size());
+  if (is_too_much) return TooManyEnvironments(mapped);
+  target.regimes = *regimes;
+  if (auto problem = DevelopAll(target)) return *problem;
+  target.tests = PassingTests(mapped);
+  return target;
+}
+
+TrimTry TryGenotype(const TrimTarget& target, Genotype genotype,
+                    PieceKind kind) {
+  return Attempt(target, std::move(genotype)).Run(kind);
+}
+
+}  // namespace plsc
