@@ -170,6 +170,9 @@ struct MergeCommand {
   int marker_size = 7;              ///< characters of a conflict marker
   std::string path;                 ///< git's name of the file; empty: `ours`
   std::vector<std::string> labels;  ///< of ours, base, theirs
+  bool allow_range = false;
+};
+
 struct ManCommand {
   std::vector<std::string> command;  ///< "study", "run"; empty: plsc itself
   std::string all;                   ///< a folder for all pages; empty: none
@@ -183,6 +186,8 @@ struct MutateCommand {
   std::string output;      ///< empty: standard output
   OutputFormat format = OutputFormat::kText;
   bool allow_range = false;
+};
+
 /// What some clients say to every server; nothing depends on it.
 struct LspCommand {
   bool stdio = true;
@@ -336,28 +341,14 @@ struct Answer {
   std::string err;
 };
 
-using Command =
-    std::variant<Answer, CheckCommand, DevelopCommand, DrawCommand,
-                 EvaluateCommand, EvolveCommand, ExplainCommand, ExportCommand,
-                 FixCommand, FmtCommand, LintCommand, RandomCommand,
-    std::variant<Answer, CheckCommand, DevelopCommand, DiffCommand, DrawCommand,
-                 EvolveCommand, ExplainCommand, ExportCommand, FixCommand,
-                 FmtCommand, LintCommand, MergeCommand, RandomCommand,
-                 RegulateCommand, ReplayCommand, ReportCommand, ShowCommand,
-                 SimulateCommand, StudyListCommand, StudyRunCommand,
-                 StudyStatusCommand, TestCommand, ViewCommand, WhyCommand>;
-    std::variant<Answer, CheckCommand, CompletionCommand, CrossCommand,
-                 DevelopCommand, DrawCommand, EvolveCommand, ExplainCommand,
-                 ExportCommand, FixCommand, FmtCommand, HashCommand,
-                 ImportCommand, LintCommand, ManCommand, MutateCommand,
-                 RandomCommand, RegulateCommand, ReplayCommand, ReportCommand,
-                 ShowCommand, SimulateCommand, StatsCommand, StudyListCommand,
-                 StudyRunCommand, StudyStatusCommand, TestCommand, TrimCommand,
-                 ViewCommand, WhyCommand>;
-                 FmtCommand, LintCommand, LspCommand, RandomCommand,
-                 RegulateCommand, ReplayCommand, ReportCommand, ShowCommand,
-                 SimulateCommand, StudyListCommand, StudyRunCommand,
-                 StudyStatusCommand, TestCommand, ViewCommand, WhyCommand>;
+using Command = std::variant<
+    Answer, CheckCommand, CompletionCommand, CrossCommand, DevelopCommand,
+    DiffCommand, DrawCommand, EvaluateCommand, EvolveCommand, ExplainCommand,
+    ExportCommand, FixCommand, FmtCommand, HashCommand, ImportCommand,
+    LintCommand, LspCommand, ManCommand, MergeCommand, MutateCommand,
+    RandomCommand, RegulateCommand, ReplayCommand, ReportCommand, ShowCommand,
+    SimulateCommand, StatsCommand, StudyListCommand, StudyRunCommand,
+    StudyStatusCommand, TestCommand, TrimCommand, ViewCommand, WhyCommand>;
 
 /// `arguments` without the program's name.
 Command ParseArguments(const std::vector<std::string>& arguments);
