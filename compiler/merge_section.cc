@@ -103,6 +103,7 @@ class SectionMatcher {
 
   std::vector<MatchedItem> Ordered() {
     std::vector<std::string> names;
+    names.reserve(items_.size());
     for (const MatchedItem& item : items_) names.push_back(item.name);
     std::vector<std::size_t> order =
         MergeOrder({NumbersOf(versions_.base), NumbersOf(versions_.ours),

@@ -153,6 +153,8 @@ SequenceMerge MergeSequences(const SequenceVersions& versions,
   const auto their_edits = edits(versions.theirs, theirs);
   SequenceMerge first =
       MergeEdits(versions, our_edits.front(), their_edits.front());
+  // What both sides did alike was one thing, however it may be read.
+  if (versions.ours == versions.theirs) return first;
   if (HasClash(first)) return first;
   const auto is_alike = [&](const MergedElement& a, const MergedElement& b) {
     return ComesTo(versions, a) == ComesTo(versions, b);

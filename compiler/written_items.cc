@@ -117,7 +117,7 @@ std::string WholeContent(const ItemText& text) {
 }
 
 std::string KeyOf(const ast::File& file, const ast::Item& item) {
-  const std::string keyword(file.Text(item.keyword));
+  std::string keyword(file.Text(item.keyword));
   const auto named = [&](Span name) {
     return keyword + ' ' + std::string(file.Text(name));
   };

@@ -53,6 +53,7 @@ TEST_CASE("MergeSequences does what both sides did", "[sequence_merge]") {
   const std::vector<Row> rows = {
       {"one side only", "abc", "axc", "abc", "axc"},
       {"both the same", "abc", "axc", "axc", "axc"},
+      {"both the same of equals", "abbc", "abc", "abc", "abc"},
       {"far apart", "abcdef", "xbcdef", "abcdex", "xbcdex"},
       {"neighbours", "abcd", "axcd", "abyd", "axyd"},
       {"a deletion beside an insertion", "abcd", "acd", "abxcd", "axcd"},

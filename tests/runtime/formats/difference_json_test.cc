@@ -23,12 +23,13 @@ TEST_CASE("Differences are JSON with what changed only", "[difference_json]") {
        {{DifferenceKind::kChanged, "weight", "1", "2"}}});
   const auto json =
       nlohmann::json::parse(DifferenceJson({{"one", {change}}}, {robots}));
-  CHECK(json == nlohmann::json::parse(R"({
+  const char* const expected = R"json({
     "differs": true,
     "texts": [{"genotype": "one", "changes": [{
       "item": "rule 1 of B", "change": "changed", "old_line": 3,
       "new_line": 4, "old": "rule B -> {", "new": "rule B -> {",
-      "parts": [{"old": "T(1)", "new": null
+      "parts": [{"old": "T(1)",
+                    "new" : null
 }]
 }]
 }],
@@ -36,7 +37,8 @@ TEST_CASE("Differences are JSON with what changed only", "[difference_json]") {
       "limitation": "", "environments": [{
         "environment": "a=True", "names": ["tilted"], "differences": [{
           "kind": "changed", "what": "weight", "old": "1", "new": "2"}]}]}]
-})"));
+})json";
+  CHECK(json == nlohmann::json::parse(expected));
 }
 
 TEST_CASE("A new genotype is a difference, an equal one is none",
