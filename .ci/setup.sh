@@ -14,7 +14,7 @@ command -v npm >/dev/null 2>&1 || PLSC_PACKAGES="$PLSC_PACKAGES nodejs npm"
 # What tests alone need: a browser to open the pages in, the readers of the
 # exported robots, an editor for the language server.
 PLSC_TEST_PACKAGES="chromium libmujoco-dev liburdfdom-dev libsdformat-dev \
-neovim git"
+neovim git dpkg-dev file"
 # Builds with sanitizers and libFuzzer.
 PLSC_CLANG_PACKAGES="clang-14 libclang-rt-14-dev"
 

@@ -5,7 +5,9 @@
 #include <atomic>
 #include <cerrno>
 
-#if defined(__SANITIZE_ADDRESS__)
+#include "tests/sanitizer.h"
+
+#if PLSC_HAS_ASAN
 
 namespace plsc::test {
 bool HeapIsCounted() {

@@ -165,6 +165,7 @@ Commands AddAll(CLI::App& app) {
   commands.Add(app, AddLint);
   commands.Add(app, AddRegulate);
   commands.Add(app, AddSimulate);
+  commands.Add(app, AddEvaluate);
   commands.Add(app, AddEvolve);
   commands.Add(app, AddShow);
   commands.Add(app, AddReplay);

@@ -20,6 +20,7 @@ CLI::App* AddCompletion(CLI::App& app, CompletionCommand& command);
 CLI::App* AddCross(CLI::App& app, CrossCommand& command);
 CLI::App* AddDevelop(CLI::App& app, DevelopCommand& command);
 CLI::App* AddDraw(CLI::App& app, DrawCommand& command);
+CLI::App* AddEvaluate(CLI::App& app, EvaluateCommand& command);
 CLI::App* AddEvolve(CLI::App& app, EvolveCommand& command);
 CLI::App* AddExplain(CLI::App& app, ExplainCommand& command);
 CLI::App* AddExport(CLI::App& app, ExportCommand& command);

@@ -30,6 +30,14 @@ struct CheckCommand {
   int max_errors = 20;  ///< a file, text format only; 0 shows all
 };
 
+struct EvaluateCommand {
+  bool is_stdin = false;  ///< the only source there is
+  std::string scenario;   ///< empty: the paper's
+  std::optional<int> jobs;
+  bool in_order = false;  ///< answers come in the order of the requests
+  bool allow_range = false;
+};
+
 struct ExplainCommand {
   std::string code;
   bool list = false;
@@ -298,19 +306,20 @@ struct Answer {
 
 using Command =
     std::variant<Answer, CheckCommand, CompletionCommand, CrossCommand,
-                 DevelopCommand, DrawCommand, EvolveCommand, ExplainCommand,
-                 ExportCommand, FixCommand, FmtCommand, HashCommand,
-                 ImportCommand, LintCommand, ManCommand, MutateCommand,
-                 RandomCommand, RegulateCommand, ReplayCommand, ReportCommand,
-                 ShowCommand, SimulateCommand, StatsCommand, StudyListCommand,
-                 StudyRunCommand, StudyStatusCommand, TestCommand, TrimCommand,
-                 ViewCommand, WhyCommand>;
+                 DevelopCommand, DrawCommand, EvaluateCommand, EvolveCommand,
+                 ExplainCommand, ExportCommand, FixCommand, FmtCommand,
+                 HashCommand, ImportCommand, LintCommand, ManCommand,
+                 MutateCommand, RandomCommand, RegulateCommand, ReplayCommand,
+                 ReportCommand, ShowCommand, SimulateCommand, StatsCommand,
+                 StudyListCommand, StudyRunCommand, StudyStatusCommand,
+                 TestCommand, TrimCommand, ViewCommand, WhyCommand>;
 
 /// `arguments` without the program's name.
 Command ParseArguments(const std::vector<std::string>& arguments);
 
 Exit Run(const Answer& answer, Io& io);
 Exit Run(const CheckCommand& command, Io& io);
+Exit Run(const EvaluateCommand& command, Io& io);
 Exit Run(const ExplainCommand& command, Io& io);
 Exit Run(const ExportCommand& command, Io& io);
 Exit Run(const FixCommand& command, Io& io);

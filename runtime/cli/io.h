@@ -31,6 +31,8 @@ struct Io {
   bool err_in_color = false;     ///< diagnostics may be painted
   /// Characters a line of `out`; that of most terminals where nobody knows.
   std::size_t out_columns = 80;
+  /// Of `in`, to wait for it and for others; -1: it never lets anybody wait.
+  int input_descriptor = -1;
 };
 
 /// Whether a stream gets colour that nobody asked for: a terminal does, unless

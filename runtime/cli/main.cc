@@ -11,6 +11,7 @@ int main(int argc, char** argv) {
   const bool is_terminal = ::isatty(2) != 0;
   plsc::cli::Io io{std::cin, std::cout, std::cerr, is_terminal,
                    plsc::cli::WantsColor(is_terminal, std::getenv("NO_COLOR"))};
+  io.input_descriptor = 0;
   struct winsize window {};
   if (::ioctl(1, TIOCGWINSZ, &window) == 0 && window.ws_col > 0)
     io.out_columns = window.ws_col;

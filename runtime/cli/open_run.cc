@@ -2,10 +2,25 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <charconv>
+#include <filesystem>
+#include <fstream>
 #include <ostream>
+#include <string_view>
 
 namespace plsc::cli {
+
+bool IsDatabase(const std::string& path) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error)) return false;
+  // https://www.sqlite.org/fileformat.html, 1.3.1
+  constexpr std::string_view kMagic("SQLite format 3\0", 16);
+  std::array<char, kMagic.size()> begin{};
+  std::ifstream file(path, std::ios::binary);
+  return file.read(begin.data(), begin.size()) &&
+         std::string_view(begin.data(), begin.size()) == kMagic;
+}
 
 Exit Complain(const std::string& failure, Io& io) {
   io.err << fmt::format("error: {}\n", failure);

@@ -10,6 +10,10 @@
 
 namespace plsc::cli {
 
+/// Whether the file begins as an SQLite database does, which stores of runs
+/// are, whatever its name. A pipe is left unread.
+bool IsDatabase(const std::string& path);
+
 /// "error: ..." and the exit status for it.
 Exit Complain(const std::string& failure, Io& io);
 

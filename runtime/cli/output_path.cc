@@ -4,24 +4,16 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <ostream>
-#include <string_view>
+
+#include "runtime/cli/open_run.h"
+#include "runtime/cli/program.h"
 
 namespace plsc::cli {
 
 namespace {
 
 namespace fs = std::filesystem;
-
-/// By its first bytes, https://www.sqlite.org/fileformat.html 1.3.
-bool IsDatabase(const std::string& path) {
-  constexpr std::string_view kMagic("SQLite format 3\0", 16);
-  std::string begin(kMagic.size(), ' ');
-  std::ifstream file(path, std::ios::binary);
-  return file.read(begin.data(), static_cast<std::streamsize>(begin.size())) &&
-         begin == kMagic;
-}
 
 const char* ProblemOf(const std::string& path,
                       const std::vector<std::string>& inputs) {
@@ -32,7 +24,7 @@ const char* ProblemOf(const std::string& path,
   if (fs::is_directory(path, error)) return "it is a folder";
   if (!fs::is_regular_file(path, error)) return nullptr;
   if (std::any_of(inputs.begin(), inputs.end(), [&](const std::string& input) {
-        return fs::equivalent(path, input, error);
+        return fs::equivalent(path, SplitGenotypePath(input).file, error);
       }))
     return "the command reads it; choose another name";
   if (IsDatabase(path))

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <cassert>
-#include <fstream>
 #include <ostream>
 #include <utility>
 
@@ -14,15 +13,6 @@
 namespace plsc::cli {
 
 namespace {
-
-// A run instead of a genotype would only be called text that is not UTF-8.
-bool IsStore(const std::string& path) {
-  constexpr std::string_view kMagic = "SQLite format 3";  // its first bytes
-  std::string begin(kMagic.size(), '\0');
-  std::ifstream file(path, std::ios::binary);
-  file.read(begin.data(), static_cast<std::streamsize>(begin.size()));
-  return begin == kMagic;
-}
 
 // Seasons that the robot developed in, under their names.
 std::vector<NamedEnvironment> SeasonsOf(const Individual& one) {
@@ -71,7 +61,8 @@ std::variant<RobotFound, Exit> FindInRun(const RobotAsked& asked, Io& io) {
 
 std::variant<RobotFound, Exit> FindRobot(const RobotAsked& asked, Io& io) {
   if (!asked.individual.empty()) return FindInRun(asked, io);
-  if (IsStore(asked.file)) {
+  // It would only be called text that is not UTF-8.
+  if (IsDatabase(asked.file)) {
     io.err << fmt::format(
         "error: {} is a run; which of its robots? add a number, or best\n",
         asked.file);

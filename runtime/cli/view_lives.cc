@@ -51,9 +51,8 @@ std::string Beginning(const std::string& path) {
 }
 
 ViewInputKind KindOf(const std::string& path) {
-  constexpr std::string_view kSqlite("SQLite format 3\0", 16);
+  if (IsDatabase(path)) return ViewInputKind::kRun;
   const std::string beginning = Beginning(path);
-  if (beginning.starts_with(kSqlite)) return ViewInputKind::kRun;
   const std::size_t first = beginning.find_first_not_of(" \t\r\n");
   if (first != std::string::npos && beginning[first] == '{')
     return ViewInputKind::kRecording;

@@ -150,9 +150,11 @@ bool WorkerPool::Poll(int timeout_ms, std::vector<short>& events) {
     const int wanted = is_sent ? POLLIN : POLLIN | POLLOUT;
     polled.push_back({worker.process.socket, static_cast<short>(wanted), 0});
   }
+  polled.push_back({wake_, POLLIN, 0});  // poll skips those below 0
   if (poll(polled.data(), polled.size(), std::min(timeout_ms, kLongestPoll)) <=
       0)
     return false;
+  polled.pop_back();
   for (const pollfd& one : polled) events.push_back(one.revents);
   return true;
 }

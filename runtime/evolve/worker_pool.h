@@ -38,6 +38,9 @@ class WorkerPool : public Workers {
   /// As WorkerPoolOptions::hang_seconds, for requests given out from now on.
   void SetHangSeconds(double seconds) { options_.hang_seconds = seconds; }
 
+  /// Wait also comes back when this file descriptor can be read; -1: none.
+  void WakeOn(int descriptor) { wake_ = descriptor; }
+
   void Submit(int ticket, std::string request) override;
   void CancelWaiting() override;
   std::vector<Reply> Wait(int timeout_ms) override;
@@ -77,6 +80,7 @@ class WorkerPool : public Workers {
 
   WorkerPoolOptions options_;
   Work work_;
+  int wake_ = -1;
   std::vector<Worker> workers_;
   std::deque<Request> waiting_;
   std::optional<std::string> failure_;

@@ -35,5 +35,17 @@ TEST_CASE("a run without a generation has no best", "[open_run]") {
   CHECK(cli::EvaluatedIds(store).failure().find("nobody") != std::string::npos);
 }
 
+TEST_CASE("a database is known by its first bytes", "[open_run]") {
+  const test::TemporaryFolder folder;
+  const std::string magic("SQLite format 3\0", 16);
+  CHECK(cli::IsDatabase(test::FinishedRun().path()));
+  CHECK(cli::IsDatabase(folder.Write("any.name", magic + "rest")));
+  CHECK_FALSE(cli::IsDatabase(folder.Write("cut.sqlite", magic.substr(0, 15))));
+  CHECK_FALSE(cli::IsDatabase(folder.Write("text.sqlite", "SQLite format 31")));
+  CHECK_FALSE(cli::IsDatabase(folder.Write("empty.sqlite", "")));
+  CHECK_FALSE(cli::IsDatabase(folder / "none.sqlite"));
+  CHECK_FALSE(cli::IsDatabase(folder.path().string()));
+}
+
 }  // namespace
 }  // namespace plsc

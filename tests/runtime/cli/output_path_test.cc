@@ -13,6 +13,7 @@ namespace {
 TEST_CASE("What must not be lost is not written over", "[output_path]") {
   const test::TemporaryFolder folder;
   const std::string input = folder.Write("robot.pls", "plsc 1\n");
+  const std::string zoo = folder.Write("zoo.pls", "plsc 1\n");
   const std::string other = folder.Write("old.html", "<p>old</p>");
   const std::string store = folder / "store.anything";
   std::filesystem::copy_file(test::FinishedRun().path(), store);
@@ -31,6 +32,8 @@ TEST_CASE("What must not be lost is not written over", "[output_path]") {
       {"a folder", folder.path().string(), "it is a folder"},
       {"an input", input, "the command reads it"},
       {"an input by another name", folder / "link.pls", "the command reads it"},
+      {"a file of which one genotype is read", folder / "zoo.pls",
+       "the command reads it"},
       {"a run, whatever its name", store, "it is a database"},
   };
   for (const Row& row : rows) {
@@ -39,7 +42,7 @@ TEST_CASE("What must not be lost is not written over", "[output_path]") {
     std::ostringstream out;
     std::ostringstream err;
     cli::Io io{in, out, err};
-    CHECK(cli::CanWrite(row.path, {input, "-", "best"}, io) ==
+    CHECK(cli::CanWrite(row.path, {input, zoo + "#gecko", "-", "best"}, io) ==
           std::string(row.told).empty());
     CHECK(err.str().find(row.told) != std::string::npos);
     CHECK(err.str().empty() == std::string(row.told).empty());
@@ -52,6 +55,7 @@ TEST_CASE("No command writes over the store of a run", "[output_path]") {
   std::filesystem::copy_file(test::FinishedRun().path(), store);
   const auto size = std::filesystem::file_size(store);
   const std::string robot = folder.Write("robot.pls", test::kPlasticText);
+  const std::string picture = folder.Write("robot.svg", test::kPlasticText);
   const std::vector<std::vector<std::string>> commands = {
       {"report", store, "-o", store},
       {"report", folder.path().string(), "-o", store},
@@ -62,12 +66,18 @@ TEST_CASE("No command writes over the store of a run", "[output_path]") {
       {"simulate", robot, "--record", store},
       {"simulate", robot, "--svg", store},
       {"simulate", robot, "--record", robot},
+      {"simulate", robot + "#climber", "--record", robot},
+      {"view", robot + "#climber", "-o", robot},
+      {"draw", picture + "#climber", "-o", picture},
   };
   for (const auto& arguments : commands) {
     INFO(arguments.front() << ' ' << arguments[1]);
     const test::Ran ran = test::RunPlsc(arguments);
     CHECK(ran.exit == 1);
     CHECK(std::filesystem::file_size(store) == size);
+    for (const std::string& text : {robot, picture})
+      CHECK(std::filesystem::file_size(text) ==
+            std::string_view(test::kPlasticText).size());
   }
 }
 

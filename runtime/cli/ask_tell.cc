@@ -1,0 +1,105 @@
+#include "runtime/cli/ask_tell.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <nlohmann/json.hpp>
+#include <string_view>
+
+#include "runtime/cli/diagnostic_json.h"
+#include "runtime/formats/json_reader.h"
+#include "runtime/formats/json_text.h"
+#include "runtime/formats/season_json.h"
+
+namespace plsc::cli {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// Longer ones would come back with every answer.
+constexpr std::size_t kLongestId = 256;
+
+template <typename AnyJson>
+bool IsId(const AnyJson& json) {
+  if (json.is_number_integer() || json.is_null()) return true;
+  return json.is_string() &&
+         json.template get_ref<const std::string&>().size() <= kLongestId;
+}
+
+std::string Quoted(const std::string& text) {
+  return Json(text).dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+std::string Failure(const std::string& id, std::size_t line,
+                    const std::string& message,
+                    const std::string& diagnostics) {
+  return fmt::format(R"({{"id":{},"line":{},"error":{},"diagnostics":[{}]}})",
+                     id, line, Quoted(message), diagnostics);
+}
+
+}  // namespace
+
+Result<EvaluationRequest> ParseEvaluationRequest(const Source& line) {
+  static constexpr std::array<std::string_view, 2> kKnown{"id", "genotype"};
+  const Result<nlohmann::json> json = ReadJson(line);
+  if (!json) return json.diagnostics();
+  JsonReader reader(line);
+  const JsonValue whole{*json, nullptr, ""};
+  EvaluationRequest request;
+  if (reader.IsObject(whole, kKnown)) {
+    request.genotype = reader.Text(whole, "genotype");
+    if (reader.Has(whole, "id")) {
+      const nlohmann::json& id = (*json)["id"];
+      if (!IsId(id))
+        reader.Wrong({id, &whole, "id"},
+                     fmt::format("a whole number, or a text of at most {} "
+                                 "bytes",
+                                 kLongestId));
+      request.id = id.dump();
+    }
+  }
+  if (!reader.errors().empty()) return reader.errors();
+  return request;
+}
+
+std::string IdOfRequest(const std::string& line) {
+  const auto json = nlohmann::json::parse(line, nullptr, false);
+  if (!json.is_object() || !json.contains("id") || !IsId(json["id"]))
+    return "null";
+  return json["id"].dump();
+}
+
+std::string EvaluationAnswer(const std::string& id, const std::string& genotype,
+                             const Evaluation& evaluation) {
+  Json fitness = Json::object();
+  std::string seasons;
+  for (const SeasonResult& season : evaluation.seasons) {
+    fitness[season.season] =
+        season.fitness ? Json(*season.fitness) : Json(nullptr);
+    if (!seasons.empty()) seasons += ',';
+    seasons += SeasonJson(genotype, season);
+  }
+  return fmt::format(R"({{"id":{},"fitness":{},"seasons":[{}]}})", id,
+                     fitness.dump(), seasons);
+}
+
+std::string FailureAnswer(const std::string& id, std::size_t line,
+                          const std::vector<Diagnostic>& diagnostics,
+                          const Source& source) {
+  std::string all;
+  for (const Diagnostic& diagnostic : diagnostics) {
+    if (!all.empty()) all += ',';
+    all += DiagnosticJson(diagnostic, source);
+  }
+  const Diagnostic& first = diagnostics.front();
+  return Failure(id, line, fmt::format("{}: {}", first.code, first.message),
+                 all);
+}
+
+std::string FailureAnswer(const std::string& id, std::size_t line,
+                          const std::string& failure) {
+  return Failure(id, line, failure, "");
+}
+
+}  // namespace plsc::cli
