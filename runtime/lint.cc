@@ -100,7 +100,9 @@ Diagnostic TooManyEnvironments(Span version) {
   return warning;
 }
 
-std::vector<Diagnostic> LintOne(const MappedProgram& compiled) {
+}  // namespace
+
+std::vector<Diagnostic> LintGenotype(const MappedProgram& compiled) {
   const Genotype& genotype = compiled.program.genotype;
   std::vector<Diagnostic> warnings =
       LintClauses(compiled.program, compiled.map);
@@ -121,13 +123,11 @@ std::vector<Diagnostic> LintOne(const MappedProgram& compiled) {
   return warnings;
 }
 
-}  // namespace
-
 std::vector<Diagnostic> Lint(std::span<const MappedProgram> compiled,
                              const Source& source) {
   std::vector<Diagnostic> warnings;
   for (const MappedProgram& one : compiled) {
-    std::vector<Diagnostic> more = LintOne(one);
+    std::vector<Diagnostic> more = LintGenotype(one);
     std::move(more.begin(), more.end(), std::back_inserter(warnings));
   }
   const ParseResult parsed = Parse(source);

@@ -24,6 +24,10 @@ namespace plsc {
 std::vector<Diagnostic> Lint(std::span<const MappedProgram> compiled,
                              const Source& source);
 
+/// The same of one genotype, neither sorted nor silenced: for who must not wait
+/// for all of a file.
+std::vector<Diagnostic> LintGenotype(const MappedProgram& compiled);
+
 /// P4001: in the environment called `where` the string would have `length`
 /// symbols. Points at the `iterations` item, or at the first rule of the axiom
 /// when the file leaves it out.

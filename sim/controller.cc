@@ -8,18 +8,6 @@
 #include <utility>
 
 namespace plsc {
-namespace {
-
-// What a servo takes; a hair inside 0 and 1 as in the authors' program
-// (PositionMotor.cpp:95), so that targets stay inside the joint's stops.
-constexpr double kMinOutput = 1e-5;
-constexpr double kMaxOutput = 0.99999;
-
-// Of an oscillator at phase 0, and of a joint that has none.
-constexpr double kRestOutput = 0.5;
-
-}  // namespace
-
 double Oscillate(const Node& oscillator, double time) {
   assert(oscillator.period > 0);
   const double turns = time / oscillator.period - oscillator.phase_offset;

@@ -12,6 +12,14 @@
 
 namespace plsc {
 
+/// What a servo takes; a hair inside 0 and 1 as in the authors' program
+/// (PositionMotor.cpp:95), so that targets stay inside the joint's stops.
+inline constexpr double kMinOutput = 1e-5;
+inline constexpr double kMaxOutput = 0.99999;
+
+/// Of an oscillator at phase 0, and of a joint that has none.
+inline constexpr double kRestOutput = 0.5;
+
 /// Eq. 1 of the paper: a sine of `amplitude` about 0.5, not clamped; `time` in
 /// s since birth.
 double Oscillate(const Node& oscillator, double time);

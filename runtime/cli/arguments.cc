@@ -161,8 +161,11 @@ Commands AddAll(CLI::App& app) {
   commands.Add(app, AddFix);
   commands.Add(app, AddFmt);
   commands.Add(app, AddDevelop);
+  commands.Add(app, AddDiff);
   commands.Add(app, AddDraw);
   commands.Add(app, AddLint);
+  commands.Add(app, AddMerge);
+  commands.Add(app, AddLsp);
   commands.Add(app, AddRegulate);
   commands.Add(app, AddSimulate);
   commands.Add(app, AddEvaluate);

@@ -80,35 +80,6 @@ CLI::App* AddEvolve(CLI::App& app, EvolveCommand& command) {
   return sub;
 }
 
-CLI::App* AddExport(CLI::App& app, ExportCommand& command) {
-  CLI::App* sub = app.add_subcommand(
-      "export", "Write a run of evolution as files for other programs");
-  sub->add_option("FILE", command.file, "the store that plsc evolve made")
-      ->required();
-  CLI::Option* csv =
-      sub->add_option("--csv", command.csv_folder,
-                      "a table a file, with a header, into this folder")
-          ->option_text("FOLDER");
-  CLI::Option* jsonl =
-      sub->add_flag("--jsonl", command.jsonl,
-                    "one JSON object a line: the run, its individuals with "
-                    "their seasons, its generations")
-          ->excludes(csv);
-  sub->add_option("-o,--output", command.output,
-                  "file for --jsonl (default: standard output)")
-      ->option_text("FILE")
-      ->needs(jsonl);
-  sub->add_flag("--force", command.force, "overwrite files that exist");
-  sub->footer(
-      "Works while the run goes on, and writes what can be read of a damaged "
-      "one (exit\nstatus 1). Equal runs give equal files. The store is an "
-      "SQLite file: sqlite3 and\npandas open it as it is (docs/runs.md).\n\n"
-      "  plsc export run1.sqlite --csv tables\n"
-      "  plsc export run1.sqlite --jsonl | jq -c 'select(.individual.id == "
-      "17)'");
-  return sub;
-}
-
 CLI::App* AddShow(CLI::App& app, ShowCommand& command) {
   CLI::App* sub = app.add_subcommand(
       "show", "Show a run of evolution, or one of its robots");

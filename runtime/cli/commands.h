@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "runtime/cli/io.h"
+#include "runtime/exports/export_format.h"
 
 namespace plsc::cli {
 
@@ -45,10 +46,17 @@ struct ExplainCommand {
 };
 
 struct ExportCommand {
-  std::string file;        ///< the store of a run
+  std::string file;        ///< the store of a run; a genotype file for `to`
   std::string csv_folder;  ///< empty: none
   bool jsonl = false;
-  std::string output;  ///< of --jsonl; empty: standard output
+  std::optional<ExportFormat> to;         ///< a robot instead of the run
+  std::string individual;                 ///< of `to`; as RobotAsked's
+  std::vector<std::string> environments;  ///< of `to`; as DevelopCommand's
+  bool alone = false;                     ///< of `to`: without floor
+  bool allow_range = false;               ///< of `to`
+  /// Of --jsonl or --to; empty: standard output. A folder if there are several
+  /// environments.
+  std::string output;
   bool force = false;  ///< overwrites files
 };
 
@@ -104,6 +112,16 @@ struct DevelopCommand {
 /// What a module's colour tells.
 enum class ColourBy : std::uint8_t { kType, kRule };
 
+struct DiffCommand {
+  /// OLD and NEW; what git passes to an external diff with `is_git`.
+  std::vector<std::string> files;
+  bool is_git = false;
+  std::vector<std::string> environments;  ///< as DevelopCommand's
+  OutputFormat format = OutputFormat::kText;
+  ColorChoice color = ColorChoice::kAuto;
+  bool allow_range = false;
+};
+
 struct DrawCommand {
   std::string file;        ///< a genotype file, or the store of a run
   std::string individual;  ///< of a run: an id or "best"; else empty
@@ -142,6 +160,19 @@ struct LintCommand {
   bool allow_range = false;
 };
 
+struct MergeCommand {
+  std::string base;
+  std::string ours;
+  std::string theirs;
+  std::string output;               ///< empty: standard output
+  bool write_ours = false;          ///< instead
+  bool is_driver = false;           ///< likewise, as git wants it
+  int marker_size = 7;              ///< characters of a conflict marker
+  std::string path;                 ///< git's name of the file; empty: `ours`
+  std::vector<std::string> labels;  ///< of ours, base, theirs
+  bool allow_range = false;
+};
+
 struct ManCommand {
   std::vector<std::string> command;  ///< "study", "run"; empty: plsc itself
   std::string all;                   ///< a folder for all pages; empty: none
@@ -155,6 +186,12 @@ struct MutateCommand {
   std::string output;      ///< empty: standard output
   OutputFormat format = OutputFormat::kText;
   bool allow_range = false;
+};
+
+/// What some clients say to every server; nothing depends on it.
+struct LspCommand {
+  bool stdio = true;
+  std::string client_process_id;
 };
 
 struct RegulateCommand {
@@ -304,15 +341,14 @@ struct Answer {
   std::string err;
 };
 
-using Command =
-    std::variant<Answer, CheckCommand, CompletionCommand, CrossCommand,
-                 DevelopCommand, DrawCommand, EvaluateCommand, EvolveCommand,
-                 ExplainCommand, ExportCommand, FixCommand, FmtCommand,
-                 HashCommand, ImportCommand, LintCommand, ManCommand,
-                 MutateCommand, RandomCommand, RegulateCommand, ReplayCommand,
-                 ReportCommand, ShowCommand, SimulateCommand, StatsCommand,
-                 StudyListCommand, StudyRunCommand, StudyStatusCommand,
-                 TestCommand, TrimCommand, ViewCommand, WhyCommand>;
+using Command = std::variant<
+    Answer, CheckCommand, CompletionCommand, CrossCommand, DevelopCommand,
+    DiffCommand, DrawCommand, EvaluateCommand, EvolveCommand, ExplainCommand,
+    ExportCommand, FixCommand, FmtCommand, HashCommand, ImportCommand,
+    LintCommand, LspCommand, ManCommand, MergeCommand, MutateCommand,
+    RandomCommand, RegulateCommand, ReplayCommand, ReportCommand, ShowCommand,
+    SimulateCommand, StatsCommand, StudyListCommand, StudyRunCommand,
+    StudyStatusCommand, TestCommand, TrimCommand, ViewCommand, WhyCommand>;
 
 /// `arguments` without the program's name.
 Command ParseArguments(const std::vector<std::string>& arguments);
@@ -325,8 +361,11 @@ Exit Run(const ExportCommand& command, Io& io);
 Exit Run(const FixCommand& command, Io& io);
 Exit Run(const FmtCommand& command, Io& io);
 Exit Run(const DevelopCommand& command, Io& io);
+Exit Run(const DiffCommand& command, Io& io);
 Exit Run(const DrawCommand& command, Io& io);
 Exit Run(const LintCommand& command, Io& io);
+Exit Run(const MergeCommand& command, Io& io);
+Exit Run(const LspCommand& command, Io& io);
 Exit Run(const RegulateCommand& command, Io& io);
 Exit Run(const ReplayCommand& command, Io& io);
 Exit Run(const ReportCommand& command, Io& io);

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "runtime/cli/commands.h"
+#include "runtime/cli/export_robot.h"
 #include "runtime/cli/open_run.h"
 
 namespace plsc::cli {
@@ -128,8 +129,10 @@ Failure ExportLines(const ExportCommand& command, Io& io) {
 }  // namespace
 
 Exit Run(const ExportCommand& command, Io& io) {
+  if (command.to) return ExportRobots(command, io);
   if (command.csv_folder.empty() && !command.jsonl) {
-    io.err << "plsc: export as what? add --csv FOLDER or --jsonl\n"
+    io.err << "plsc: export as what? add --to FORMAT for a robot; --csv FOLDER "
+              "or --jsonl for a run\n"
               "see 'plsc export --help'\n";
     return Exit::kBadUsage;
   }

@@ -19,6 +19,10 @@ enum class Exit : int {
   kFine = 0,
   kBadInput = 1,  ///< a file or a value is wrong; nothing was written
   kBadUsage = 2,  ///< the command line is wrong
+  /// Of diff and merge, which have three answers, as diff(1): what is compared
+  /// differs, or is in conflict; and what could not be compared at all.
+  kDiffers = 1,
+  kTrouble = 2,
   /// Ctrl-C or SIGTERM; what was done is kept. 128 + SIGINT, as shells have it.
   kInterrupted = 130,
 };
@@ -29,6 +33,7 @@ struct Io {
   std::ostream& err;
   bool err_is_terminal = false;  ///< progress lines may be redrawn
   bool err_in_color = false;     ///< diagnostics may be painted
+  bool out_in_color = false;     ///< results, likewise
   /// Characters a line of `out`; that of most terminals where nobody knows.
   std::size_t out_columns = 80;
   /// Of `in`, to wait for it and for others; -1: it never lets anybody wait.

@@ -12,6 +12,8 @@ int main(int argc, char** argv) {
   plsc::cli::Io io{std::cin, std::cout, std::cerr, is_terminal,
                    plsc::cli::WantsColor(is_terminal, std::getenv("NO_COLOR"))};
   io.input_descriptor = 0;
+  io.out_in_color =
+      plsc::cli::WantsColor(::isatty(1) != 0, std::getenv("NO_COLOR"));
   struct winsize window {};
   if (::ioctl(1, TIOCGWINSZ, &window) == 0 && window.ws_col > 0)
     io.out_columns = window.ws_col;

@@ -22,7 +22,9 @@ const char* ProblemOf(const std::string& path,
   if (!folder.empty() && !fs::is_directory(folder, error))
     return "its folder does not exist";
   if (fs::is_directory(path, error)) return "it is a folder";
-  if (!fs::is_regular_file(path, error)) return nullptr;
+  if (!fs::exists(path, error)) return nullptr;
+  // A file is replaced as a whole: root would do so to /dev/null, too.
+  if (!fs::is_regular_file(path, error)) return "it is no regular file";
   if (std::any_of(inputs.begin(), inputs.end(), [&](const std::string& input) {
         return fs::equivalent(path, SplitGenotypePath(input).file, error);
       }))

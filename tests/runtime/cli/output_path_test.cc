@@ -30,6 +30,7 @@ TEST_CASE("What must not be lost is not written over", "[output_path]") {
       {"an older page", other, ""},
       {"no such folder", folder / "none/new.html", "its folder does not exist"},
       {"a folder", folder.path().string(), "it is a folder"},
+      {"a device", "/dev/null", "it is no regular file"},
       {"an input", input, "the command reads it"},
       {"an input by another name", folder / "link.pls", "the command reads it"},
       {"a file of which one genotype is read", folder / "zoo.pls",

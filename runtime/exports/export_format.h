@@ -1,0 +1,45 @@
+#pragma once
+
+// The formats in which a robot leaves plsc, by name.
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "runtime/exports/robot_model.h"
+#include "runtime/exports/surroundings.h"
+
+namespace plsc {
+
+enum class ExportFormat : std::uint8_t {
+  kMjcf,
+  kUrdf,
+  kSdf,
+  kYaml,
+  kJson,
+  kControllerJson,
+  kControllerC,
+};
+
+struct FormatNames {
+  ExportFormat format = ExportFormat::kMjcf;
+  std::string_view name;    ///< "mjcf", as one asks for it
+  std::string_view ending;  ///< of its files, without the dot
+};
+inline constexpr std::array<FormatNames, 7> kExportFormats{
+    {{ExportFormat::kMjcf, "mjcf", "xml"},
+     {ExportFormat::kUrdf, "urdf", "urdf"},
+     {ExportFormat::kSdf, "sdf", "sdf"},
+     {ExportFormat::kYaml, "yaml", "yaml"},
+     {ExportFormat::kJson, "json", "json"},
+     {ExportFormat::kControllerJson, "controller-json", "controller.json"},
+     {ExportFormat::kControllerC, "controller-c", "h"}}};
+
+std::string_view EndingOf(ExportFormat format);
+
+/// The whole file. Surroundings matter to MJCF and SDFormat.
+std::string ExportText(ExportFormat format, const RobotModel& model,
+                       Surroundings surroundings);
+
+}  // namespace plsc

@@ -1,0 +1,124 @@
+#include "runtime/exports/robot_json.h"
+
+#include <nlohmann/json.hpp>
+
+#include "runtime/exports/controller_json.h"
+#include "runtime/recording.h"
+
+namespace plsc {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+Json VectorValue(const Vector3d& v) {
+  // What is 0 but for its sign reads better without it.
+  return Json::array({v.x() + 0.0, v.y() + 0.0, v.z() + 0.0});
+}
+
+/// By rows.
+Json MatrixValue(const Matrix3d& m) {
+  return Json::array(
+      {VectorValue(m.row(0)), VectorValue(m.row(1)), VectorValue(m.row(2))});
+}
+
+Json BoxValue(const Body& body, const Box& box) {
+  const Module& module = body.modules[static_cast<std::size_t>(box.module)];
+  return {{"name", BoxName(body, box)},
+          {"module", ModuleId(body, box.module)},
+          {"module_type", ModuleName(module.type)},
+          {"part", PartName(box.part)},
+          {"mass", box.mass},
+          {"size", VectorValue(box.size)},
+          {"centre", VectorValue(box.centre)},
+          {"axes", MatrixValue(box.axes)},
+          {"colour", AuthorsColour(module.type)}};
+}
+
+Json LinkValue(const RobotModel& model, std::size_t index) {
+  const Link& link = model.assembly.links[index];
+  Json boxes = Json::array();
+  for (const Box& box : link.boxes)
+    boxes.push_back(BoxValue(model.phenotype.body, box));
+  return {{"name", model.links[index]},
+          {"mass", link.mass},
+          {"centre_of_mass", VectorValue(link.centre)},
+          {"inertia", MatrixValue(link.inertia)},
+          {"boxes", std::move(boxes)}};
+}
+
+Json JointValue(const RobotModel& model, std::size_t index) {
+  const Hinge& hinge = model.assembly.hinges[index];
+  const ServoOptions& servo = model.options.servo;
+  return {{"name", model.joints[index]},
+          {"module", ModuleId(model.phenotype.body, hinge.module)},
+          {"type", "hinge"},
+          {"parent", model.links[static_cast<std::size_t>(hinge.parent)]},
+          {"child", model.links[static_cast<std::size_t>(hinge.child)]},
+          {"anchor", VectorValue(hinge.anchor)},
+          {"axis", VectorValue(hinge.axis)},
+          {"lower", -servo.range},
+          {"upper", servo.range},
+          {"actuator",
+           {{"name", model.servos[index]},
+            {"type", "speed"},
+            {"max_speed", servo.max_speed},
+            {"max_torque", servo.max_torque}}}};
+}
+
+Json SensorsValue(const RobotModel& model) {
+  Json sensors = Json::array();
+  sensors.push_back({{"name", kImuName},
+                     {"type", "imu"},
+                     {"link", model.links[0]},
+                     {"position", VectorValue(Vector3d::Zero())}});
+  for (const TouchSensor& touch : model.touch_sensors) {
+    const Box& box = model.assembly.links[touch.link].boxes[touch.box];
+    sensors.push_back({{"name", touch.name},
+                       {"type", "touch"},
+                       {"link", model.links[touch.link]},
+                       {"box", BoxName(model.phenotype.body, box)}});
+  }
+  return sensors;
+}
+
+Json PhysicsValue(const PhysicsOptions& physics) {
+  return {{"step", physics.step},           {"gravity", physics.gravity},
+          {"friction", physics.friction},   {"slip", physics.slip},
+          {"robot_kp", physics.robot_kp},   {"robot_kd", physics.robot_kd},
+          {"ground_kp", physics.ground_kp}, {"ground_kd", physics.ground_kd},
+          {"damping", physics.damping}};
+}
+
+}  // namespace
+
+std::string RobotJson(const RobotModel& model) {
+  Json links = Json::array();
+  for (std::size_t i = 0; i < model.links.size(); ++i)
+    links.push_back(LinkValue(model, i));
+  Json joints = Json::array();
+  Json apart = Json::array();
+  for (std::size_t i = 0; i < model.joints.size(); ++i) {
+    const Hinge& hinge = model.assembly.hinges[i];
+    joints.push_back(JointValue(model, i));
+    apart.push_back({model.links[static_cast<std::size_t>(hinge.parent)],
+                     model.links[static_cast<std::size_t>(hinge.child)]});
+  }
+  return ReadableJson({{"plsc_robot", 1},
+                       {"name", model.name},
+                       {"environment", model.environment},
+                       {"mass", TotalMass(model.assembly)},
+                       {"start",
+                        {{"position", VectorValue(model.start.position)},
+                         {"axes", MatrixValue(model.start.axes)}}},
+                       {"links", std::move(links)},
+                       {"joints", std::move(joints)},
+                       {"sensors", SensorsValue(model)},
+                       {"never_collide", std::move(apart)},
+                       {"physics", PhysicsValue(model.options.physics)},
+                       {"controller", ControllerValue(model)}});
+}
+
+}  // namespace plsc

@@ -1,0 +1,50 @@
+#include "runtime/lsp/analysis.h"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+namespace plsc::lsp {
+
+Analysis::Analysis(const std::string& uri, std::string text)
+    : source_(uri, std::move(text)), lines_(source_.text()) {}
+
+const Result<std::vector<MappedProgram>>& Analysis::compiled() {
+  if (!compiled_) compiled_ = CompileAllWithMap(source_);
+  return *compiled_;
+}
+
+const ast::File& Analysis::file() {
+  if (!parsed_) parsed_ = Parse(source_);
+  return parsed_->file;
+}
+
+const std::vector<Section>& Analysis::sections() {
+  if (!sections_) sections_ = SectionsOf(file());
+  return *sections_;
+}
+
+const Section& Analysis::SectionAt(std::uint32_t offset) {
+  const std::vector<Section>& all = sections();
+  const auto after = std::find_if(
+      all.begin() + 1, all.end(),
+      [&](const Section& section) { return section.begin > offset; });
+  return *std::prev(after);
+}
+
+const std::vector<Mention>& Analysis::mentions() {
+  if (!mentions_) mentions_ = MentionsOf(sections());
+  return *mentions_;
+}
+
+const Mention* Analysis::MentionAt(std::uint32_t offset) {
+  const std::vector<Mention>& all = mentions();
+  const auto after = std::partition_point(
+      all.begin(), all.end(),
+      [&](const Mention& mention) { return mention.span.begin <= offset; });
+  if (after == all.begin()) return nullptr;
+  const Mention& found = *std::prev(after);
+  return offset <= found.span.end ? &found : nullptr;
+}
+
+}  // namespace plsc::lsp

@@ -1,0 +1,140 @@
+#include <catch2/catch.hpp>
+
+#include <filesystem>
+
+#include "tests/runtime/cli/run_plsc.h"
+
+namespace plsc::test {
+namespace {
+
+const std::string kHead = "plsc 1\nalphabet plasticoding 1\n";
+
+// Three versions in a folder.
+struct Versions {
+  TemporaryFolder folder;
+  std::string base;
+  std::string ours;
+  std::string theirs;
+
+  Versions(const std::string& b, const std::string& o, const std::string& t)
+      : base(folder.Write("base.pls", b)),
+        ours(folder.Write("ours.pls", o)),
+        theirs(folder.Write("theirs.pls", t)) {}
+
+  Ran Merge(std::vector<std::string> options = {}) const {
+    std::vector<std::string> arguments{"merge", base, ours, theirs};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    return RunPlsc(arguments);
+  }
+};
+
+TEST_CASE("merge prints, or writes where it is told to", "[cli][merge]") {
+  const std::string merged = kHead + "let a = 2\nlet b = 2\n";
+  const Versions versions(kHead + "let a = 1\nlet b = 1\n",
+                          kHead + "let a = 2\nlet b = 1\n",
+                          kHead + "let a = 1\nlet b = 2\n");
+  const Ran printed = versions.Merge();
+  CHECK(printed.exit == 0);
+  CHECK(printed.out == merged);
+  CHECK(printed.err.empty());
+  const std::string output = versions.folder / "merged.pls";
+  CHECK(versions.Merge({"-o", output}).exit == 0);
+  CHECK(ReadFile(output) == merged);
+  CHECK(versions.Merge({"--write-ours"}).exit == 0);
+  CHECK(ReadFile(versions.ours) == merged);
+}
+
+TEST_CASE("merge answers 1 and writes markers where there are conflicts",
+          "[cli][merge]") {
+  const Versions versions(kHead + "let a = 1\n", kHead + "let a = 2\n",
+                          kHead + "let a = 3\n");
+  const Ran ran =
+      versions.Merge({"--driver", "-L", "3", "-P", "robots/a.pls", "--label",
+                      "main", "--label", "start", "--label", "side"});
+  CHECK(ran.exit == 1);
+  CHECK(ran.out.empty());
+  CHECK(ran.err ==
+        "robots/a.pls:3: conflict: let a: 'let a = 1' is 'let a = 2' in main "
+        "and 'let a = 3' in side\n");
+  CHECK(ReadFile(versions.ours) ==
+        kHead +
+            "<<< main\nlet a = 2\n||| start\nlet a = 1\n===\nlet a = 3\n"
+            ">>> side\n");
+}
+
+TEST_CASE("merge answers 1 where both sides together are wrong",
+          "[cli][merge]") {
+  const Versions versions(
+      kHead + "sense hot: bool\n", kHead,
+      kHead + "sense hot: bool\nrule B -> if hot = True then { T(0.5) }\n");
+  const Ran ran = versions.Merge();
+  CHECK(ran.exit == 1);
+  CHECK(ran.err.find("error[P2005]") != std::string::npos);
+  CHECK(ran.err.find("what both sides made together is wrong") !=
+        std::string::npos);
+}
+
+TEST_CASE("merge answers 2 and writes nothing if a version is broken",
+          "[cli][merge]") {
+  struct Row {
+    const char* why;
+    std::string text;
+  };
+  const std::vector<Row> rows = {
+      {"an error", kHead + "rule B -> {\n"},
+      {"empty", ""},
+      {"binary", std::string("\0\x01\xff", 3)},
+      {"unresolved", kHead + "<<<<<<< ours\nlet a = 1\n=======\n>>>>>>> b\n"},
+  };
+  for (const Row& row : rows) {
+    DYNAMIC_SECTION(row.why) {
+      const Versions ours(kHead, row.text, kHead + "let a = 1\n");
+      const Versions theirs(kHead, kHead + "let a = 1\n", row.text);
+      for (const Versions* versions : {&ours, &theirs}) {
+        const std::string before = ReadFile(versions->ours);
+        const Ran ran = versions->Merge({"--driver"});
+        CHECK(ran.exit == 2);
+        CHECK(ran.err.find("error[P") != std::string::npos);
+        CHECK(ran.err.find("not merged") != std::string::npos);
+        CHECK(ReadFile(versions->ours) == before);
+      }
+    }
+  }
+}
+
+TEST_CASE("merge answers 2 to paths that cannot be", "[cli][merge]") {
+  const Versions versions(kHead, kHead + "let a = 1\n", kHead);
+  const std::string folder = versions.folder.path().string();
+  CHECK(RunPlsc({"merge", versions.base, versions.ours, folder}).exit == 2);
+  CHECK(RunPlsc({"merge", versions.base, versions.ours, "none.pls"}).exit == 2);
+  CHECK(versions.Merge({"-o", folder}).exit == 2);
+  CHECK(versions.Merge({"-o", versions.theirs}).exit == 2);
+  CHECK(ReadFile(versions.theirs) == kHead);
+  CHECK(RunPlsc({"merge", versions.base, versions.ours}).exit == 2);
+  CHECK(versions.Merge({"--driver", "-o", "x"}).exit == 2);
+  CHECK(versions.Merge({"-L", "0"}).exit == 2);
+  std::filesystem::permissions(versions.ours,
+                               std::filesystem::perms::owner_read);
+  // The superuser may write there all the same.
+  if (const Ran ran = versions.Merge({"--write-ours"}); ran.exit != 0) {
+    CHECK(ran.exit == 2);
+    CHECK(ran.err.find("cannot write") != std::string::npos);
+  }
+}
+
+TEST_CASE("merge takes an empty base for nothing", "[cli][merge]") {
+  const Versions versions("", kHead + "let a = 1\n", kHead + "let b = 1\n");
+  const Ran ran = versions.Merge();
+  CHECK(ran.exit == 0);
+  CHECK(ran.out == kHead + "let a = 1\nlet b = 1\n");
+}
+
+TEST_CASE("merge lets arguments be out of range if told so", "[cli][merge]") {
+  const Versions versions(kHead, kHead + "rule B -> { T(7) }\n",
+                          kHead + "let a = 1\n");
+  CHECK(versions.Merge().exit == 2);
+  CHECK(versions.Merge({"--allow-range"}).exit == 0);
+}
+
+}  // namespace
+}  // namespace plsc::test
