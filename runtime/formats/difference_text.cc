@@ -19,7 +19,7 @@ constexpr std::size_t kNamedEnvironments = 4;
 
 std::string Painted(char mark, std::string_view line,
                     const DifferenceStyle& style) {
-  const std::string text = fmt::format("{} {}", mark, line);
+  std::string text = fmt::format("{} {}", mark, line);
   if (!style.in_color || mark == ' ') return text;
   const int color = mark == '+' ? 32 : mark == '-' ? 31 : 33;
   return fmt::format("\x1b[{}m{}\x1b[0m", color, text);
