@@ -75,6 +75,7 @@ Diagnostic UnknownToken(const AuthorsWord& word) {
       "P2001", word.span,
       fmt::format("a token of Revolve is expected, not '{}'", word.token));
   std::vector<std::string_view> tokens;
+  tokens.reserve(kSymbols.size());
   for (const AuthorsSymbol& symbol : kSymbols) tokens.push_back(symbol.token);
   if (const auto near = Suggest(word.token, tokens))
     diagnostic.help = fmt::format("did you mean '{}'?", *near);
@@ -130,9 +131,9 @@ const AuthorsSymbol& AuthorsSymbolOf(SymbolId symbol) {
 }
 
 const std::vector<SymbolId>& AuthorsLetters() {
-  static const std::vector<SymbolId> kLetters = {p::kC, p::kA2, p::kA1, p::kB,
-                                                 p::kT};
-  return kLetters;
+  static const std::vector<SymbolId> letters = {p::kC, p::kA2, p::kA1, p::kB,
+                                                p::kT};
+  return letters;
 }
 
 std::optional<Symbol> ImportSymbol(const AuthorsWord& word, bool allow_range,

@@ -114,8 +114,10 @@ TEST_CASE("zsh and fish are told every command and option",
     for (const OptionDescription& option : command->options) {
       CAPTURE(option.names.back());
       CHECK(zsh.find(option.names.back() + "[") != std::string::npos);
-      CHECK(fish.find(" -l " + option.names.back().substr(2) + " ") !=
-            std::string::npos);
+      const std::string& name = option.names.back();
+      CHECK(fish.find((name.starts_with("--") ? " -l " + name.substr(2)
+                                              : " -s " + name.substr(1)) +
+                      " ") != std::string::npos);
     }
   }
 }
