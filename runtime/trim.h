@@ -1,10 +1,11 @@
 #pragma once
 
-// Leaves out of a genotype file what changes no robot: rules, terms of clauses
-// and symbols without which every environment that clauses tell apart develops
-// into the very same body and brain, ids and every bit of every number
-// included. Found by trying, big pieces first, each time by developing; so
-// what is left out is never guessed. Comments and layout of the rest stay.
+// Leaves out of a genotype file what changes no robot: rules, symbols, and
+// terms of clauses that decide nothing. Without them every environment that
+// clauses tell apart develops into the very same body and brain, ids and every
+// bit of every number included. Found by trying, big pieces first, each time by
+// developing; so what is left out is never guessed. Comments and layout of the
+// rest stay.
 
 #include <cstddef>
 #include <cstdint>

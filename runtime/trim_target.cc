@@ -100,18 +100,22 @@ class Attempt {
         kind == PieceKind::kSymbol ? target_.regimes : RegimesOf(next_.current);
     const std::vector<Regime> regimes =
         kind == PieceKind::kTerm ? RegimesOfBoth() : target_.regimes;
-    return std::all_of(
-        regimes.begin(), regimes.end(), [&](const Regime& regime) {
-          return DevelopsTheSameIn({target_.space.At(regime.environment)});
-        });
+    return std::all_of(regimes.begin(), regimes.end(),
+                       [&](const Regime& regime) {
+                         return DevelopsTheSameIn(
+                             {target_.space.At(regime.environment)}, kind);
+                       });
   }
 
-  bool DevelopsTheSameIn(const Environment& environment) {
+  bool DevelopsTheSameIn(const Environment& environment, PieceKind kind) {
     // Regulating twice and comparing takes as long as some symbols.
     work_ += 32;
     const ActiveRules active = Regulate(next_.current, environment);
-    const Developed& wanted =
-        target_.developed.at(Regulate(target_.current, environment).rules);
+    const ActiveRules before = Regulate(target_.current, environment);
+    // A clause is not shorter where its rule is active more often, be it for
+    // nothing.
+    if (kind == PieceKind::kTerm && active.rules != before.rules) return false;
+    const Developed& wanted = target_.developed.at(before.rules);
     const auto known = next_.developed.find(active.rules);
     if (known != next_.developed.end())
       return IsSame(next_.current, known->second, wanted);

@@ -64,7 +64,8 @@ often in a comment. Save it as UTF-8, or convert it with iconv.
      R"(The file is a genotype as Revolve, the authors' program, writes it:
 Python, or lines of its own tokens. 'plsc import' translates it, rule by
 rule. Revolve's joint AJ1 is the paper's A2 and AJ2 is A1; their
-parameters are written in the order w, a, p, o. Revolve's clause 'hill == True' becomes 'if hill = True then'.
+parameters are written in the order w, a, p, o. Revolve's clause
+'hill == True' becomes 'if hill = True then'.
 )",
      R"(C C addf B movef
 B B addl ST_0.5

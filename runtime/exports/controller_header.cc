@@ -26,8 +26,11 @@ std::string Word(const std::string& text) {
 std::string InComment(const std::string& text) {
   std::string safe;
   for (const char c : text) {
-    const bool is_bad = c == '*' || c == '/' || c == '\\' || c == '?' ||
-                        (static_cast<unsigned char>(c) < ' ' && c != '\n');
+    // A '/' of a unit may stay, not behind the '*' of a line's beginning.
+    const bool is_bad =
+        c == '*' || c == '\\' || c == '?' ||
+        (c == '/' && (safe.empty() || !IsWordLetter(safe.back()))) ||
+        (static_cast<unsigned char>(c) < ' ' && c != '\n');
     safe += is_bad ? '_' : c;
     if (c == '\n') safe += " * ";
   }

@@ -76,6 +76,19 @@ TEST_CASE("Trim leaves out what changes no robot, and keeps the rest as it is",
   }
 }
 
+TEST_CASE("A clause stays where its rule would be active for nothing",
+          "[trim]") {
+  // Where `inclined` is False the front is taken, so that B finds no slot.
+  const std::string text =
+      "plsc 1\nalphabet plasticoding 1\nsense inclined: bool\n"
+      "rule C -> if inclined = False then { C add_front T(0.5) }\n"
+      "rule C -> if inclined = True then { C add_front B }\n"
+      "rule C -> { C }\n";
+  const auto trimmed = Trim(Source("x.pls", text));
+  REQUIRE(trimmed);
+  CHECK(trimmed->genotypes[0].after.terms == 2);
+}
+
 TEST_CASE("Two clauses of one regime are told apart once a term is gone",
           "[trim]") {
   // `a or b` is one regime; without `b` the robot of (a=False, b=True) would
