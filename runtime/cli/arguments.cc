@@ -85,6 +85,23 @@ Answer UsageError(const CLI::App& app, const std::string& message) {
       "plsc: " + message + "\nsee '" + FullName(Chosen(app)) + " --help'\n"};
 }
 
+// Of a word that is none of an option's, CLI11 says "--format: Check foo value
+// in {json->...", with the values behind the words, which are bytes here.
+std::string ExplainChoice(const CLI::App& app, const std::string& message) {
+  const std::size_t check = message.find(": Check ");
+  const std::size_t value = message.rfind(" value in {");
+  if (check == std::string::npos || value == std::string::npos) return message;
+  const std::string name = message.substr(0, check);
+  const std::size_t word = check + std::string_view(": Check ").size();
+  for (const CLI::Option* option : Chosen(app).get_options()) {
+    if (option->get_name() != name) continue;
+    const std::string type = option->get_type_name();  // "text|json:..."
+    return name + ": expected " + type.substr(0, type.find(':')) + ", found '" +
+           message.substr(word, value - word) + "'";
+  }
+  return message;
+}
+
 // Help and version are no errors; CLI11 reports both by throwing.
 Answer AnswerTo(const CLI::App& app, const CLI::ParseError& error) {
   if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr)
@@ -92,7 +109,7 @@ Answer AnswerTo(const CLI::App& app, const CLI::ParseError& error) {
   std::ostringstream out;
   std::ostringstream err;
   if (app.exit(error, out, err) == 0) return {Exit::kFine, out.str(), ""};
-  return UsageError(app, error.what());
+  return UsageError(app, ExplainChoice(app, error.what()));
 }
 
 /// Of the first words, the one that is no command; CLI11 would only say that a

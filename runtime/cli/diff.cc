@@ -48,7 +48,8 @@ std::optional<Version> ReadVersion(const std::string& path,
       command.is_git ? GenotypePath{path, ""} : SplitGenotypePath(path);
   Result<Source> source = ReadSource(from.file, io);
   if (!source) {
-    Report(source.diagnostics(), Source(from.file, ""), io);
+    const Diagnostic& problem = source.diagnostics()[0];
+    io.err << fmt::format("error[{}]: {}\n", problem.code, problem.message);
     return std::nullopt;
   }
   CompileOptions options;

@@ -23,7 +23,8 @@ std::optional<Source> ReadVersion(const std::string& path, bool may_be_empty,
                                   const MergeCommand& command, Io& io) {
   Result<Source> source = ReadSource(path, io);
   if (!source) {
-    Report(source.diagnostics(), Source(path, ""), io);
+    const Diagnostic& problem = source.diagnostics()[0];
+    io.err << fmt::format("error[{}]: {}\n", problem.code, problem.message);
     return std::nullopt;
   }
   if (may_be_empty && IsBlank(*source)) return std::move(*source);
