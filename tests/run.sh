@@ -6,17 +6,20 @@ cd "$(dirname "$0")/.."
 
 usage() {
   cat <<'TXT'
-usage: tests/run.sh [--preset release|debug|sanitize] [--fast]
+usage: tests/run.sh [--preset release|debug|sanitize] [--fast | --core]
 
 Installs missing Debian packages (as root or with sudo), builds into
 build/PRESET and runs all tests. Works on a fresh Debian 12 machine.
 
   --preset P  how to build (default: release)
   --fast      leave out the tests labelled slow
+  --core      only the fast tests of the compiler, development, simulation and
+              the language server; builds nothing else
 TXT
 }
 
 preset=release
+target=all
 labels=()
 while [ $# -gt 0 ]; do
   case "$1" in
@@ -27,6 +30,7 @@ while [ $# -gt 0 ]; do
       esac
       shift 2 ;;
     --fast) labels=(-L fast); shift ;;
+    --core) labels=(-L core); target=core_tests; shift ;;
     -h | --help) usage; exit 0 ;;
     *) usage >&2; echo "tests/run.sh: unknown argument '$1'" >&2; exit 2 ;;
   esac
@@ -34,5 +38,5 @@ done
 
 plsc_install $PLSC_PACKAGES $PLSC_TEST_PACKAGES
 [ "$preset" != sanitize ] || plsc_install $PLSC_CLANG_PACKAGES
-plsc_build "$preset"
+plsc_build "$preset" "$target"
 ctest --preset "$preset" -j"$(nproc)" "${labels[@]}"

@@ -75,6 +75,7 @@ Exit Run(const CrossCommand& command, Io& io) {
     probability = experiment->crossover;
   }
   std::vector<OneChild> children;
+  children.reserve(static_cast<std::size_t>(command.count));
   for (int i = 0; i < command.count; ++i) {
     children.push_back(
         CrossOne(*first, second->genotype, probability,

@@ -106,6 +106,7 @@ Exit Run(const MutateCommand& command, Io& io) {
            experiment->mutation};
   }
   std::vector<OneChild> children;
+  children.reserve(static_cast<std::size_t>(command.count));
   for (int i = 0; i < command.count; ++i)
     children.push_back(
         MutateOne(*parent, how,
