@@ -117,6 +117,7 @@ class SectionMatcher {
         if (members.contains(number)) number = *next++;
     }
     std::vector<MatchedItem> ordered;
+    ordered.reserve(order.size());
     for (const std::size_t number : order) ordered.push_back(items_[number]);
     return ordered;
   }
