@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <vector>
 
 #include "compiler/print.h"
+#include "runtime/formats/aligned_rows.h"
 #include "runtime/regulate.h"
 
 namespace plsc {
@@ -19,24 +19,6 @@ std::string Numbers(const std::vector<RuleIndex>& rules) {
   std::string text;
   for (const RuleIndex rule : rules)
     text += fmt::format("{}{}", text.empty() ? "" : "+", rule + 1);
-  return text;
-}
-
-// Columns as wide as their widest cell, two blanks between them, none behind
-// the last. Cells are ASCII.
-std::string Align(const std::vector<Row>& rows) {
-  std::vector<std::size_t> widths(rows.front().size(), 0);
-  for (const Row& row : rows)
-    for (std::size_t i = 0; i < row.size(); ++i)
-      widths[i] = std::max(widths[i], row[i].size());
-  std::string text;
-  for (const Row& row : rows) {
-    std::string line;
-    for (std::size_t i = 0; i < row.size(); ++i)
-      line += fmt::format("{:<{}}", row[i], widths[i] + 2);
-    line.erase(line.find_last_not_of(' ') + 1);
-    text += line + '\n';
-  }
   return text;
 }
 
@@ -68,7 +50,7 @@ std::string RegulationText(const Genotype& genotype,
     rows.push_back({(*genotype.alphabet)[symbol.symbol].name,
                     Numbers(symbol.active),
                     JoinedText(genotype, active, symbol.symbol)});
-  return rows.empty() ? text : text + Align(rows);
+  return rows.empty() ? text : text + AlignedRows(rows);
 }
 
 std::string RegulationTable(const Genotype& genotype, const StateSpace& space) {
@@ -89,7 +71,7 @@ std::string RegulationTable(const Genotype& genotype, const StateSpace& space) {
       row.push_back(Numbers(symbol.active));
     rows.push_back(std::move(row));
   }
-  return Align(rows);
+  return AlignedRows(rows);
 }
 
 std::string RuleLegend(const MappedProgram& compiled, const Source& source) {

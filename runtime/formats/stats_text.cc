@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "compiler/print.h"
+#include "runtime/formats/aligned_rows.h"
 
 namespace plsc {
 
@@ -17,24 +18,6 @@ using Json = nlohmann::ordered_json;
 
 // The first cell is the row's title.
 using Row = std::vector<std::string>;
-
-std::string Aligned(const std::vector<Row>& rows) {
-  std::vector<std::size_t> widths;
-  for (const Row& row : rows) {
-    widths.resize(std::max(widths.size(), row.size()));
-    for (std::size_t i = 0; i < row.size(); ++i)
-      widths[i] = std::max(widths[i], row[i].size());
-  }
-  std::string text;
-  for (const Row& row : rows) {
-    std::string line;
-    for (std::size_t i = 0; i < row.size(); ++i)
-      line += fmt::format("{:<{}}", row[i], widths[i] + 2);
-    line.resize(line.find_last_not_of(' ') + 1);
-    text += line + '\n';
-  }
-  return text;
-}
 
 std::string Share(std::size_t part, std::size_t whole) {
   if (whole == 0) return "0";
@@ -176,7 +159,7 @@ std::string StatsText(const Genotype& genotype, const GenotypeStats& stats) {
                         stats.environments.size(), stats.bodies,
                         stats.bodies == 1 ? "body" : "bodies", stats.brains,
                         stats.brains == 1 ? "brain" : "brains");
-  return text + '\n' + Aligned(EnvironmentRows(genotype, stats));
+  return text + '\n' + AlignedRows(EnvironmentRows(genotype, stats));
 }
 
 std::string StatsJson(const std::string& path, const Genotype& genotype,
