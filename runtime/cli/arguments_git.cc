@@ -43,7 +43,7 @@ CLI::App* AddDiff(CLI::App& app, DiffCommand& command) {
       "wrong.\n\n"
       "  plsc diff gecko.pls faster.pls\n"
       "  plsc diff zoo.pls#gecko zoo.pls#snake --env inclined=True\n"
-      "  git config diff.plsc.command 'plsc diff --git'\n"
+      "  git config diff.plsc.command 'plsc diff --git --'\n"
       "  echo '*.pls diff=plsc merge=plsc' >> .gitattributes");
   return sub;
 }
@@ -69,7 +69,8 @@ CLI::App* AddMerge(CLI::App& app, MergeCommand& command) {
                   "characters of a conflict marker (default 7); git's %L")
       ->check(CLI::Range(1, 1000))
       ->option_text("N");
-  sub->add_option("-P", command.path, "the file's name in messages; git's %P")
+  sub->add_option("-P,--path", command.path,
+                  "the file's name in messages; git's %P")
       ->option_text("PATH");
   sub->add_option("--label", command.labels,
                   "up to three times: names of ours, base and theirs in "
@@ -86,10 +87,11 @@ CLI::App* AddMerge(CLI::App& app, MergeCommand& command) {
       "gets git's markers. What merges\nwithout conflict is compiled.\n\n"
       "Exit status: 0 merged, 1 conflicts (or what was merged is wrong: told "
       "why), 2\ntrouble: a file is unreadable or wrong, and nothing is "
-      "written.\n\n"
+      "written. With --driver\nlines are merged where a version is no correct "
+      "genotype, so that neither side\nis lost.\n\n"
       "  plsc merge base.pls mine.pls yours.pls -o merged.pls\n"
       "  git config merge.plsc.driver "
-      "'plsc merge --driver %O %A %B -L %L -P %P'\n"
+      "'plsc merge --driver -L %L --path=%P -- %O %A %B'\n"
       "  echo '*.pls diff=plsc merge=plsc' >> .gitattributes");
   return sub;
 }

@@ -39,14 +39,17 @@ bool IsGitsNothing(const std::string& path, const DiffCommand& command) {
   return command.is_git && path == "/dev/null";
 }
 
-// Prints what is wrong.
+// Prints what is wrong, of git's temporary files under `git_name`.
 std::optional<Version> ReadVersion(const std::string& path,
+                                   const std::string& git_name,
                                    const DiffCommand& command, Io& io) {
   if (IsGitsNothing(path, command)) return Version{Source(path, ""), {}, ""};
   // Names of git's temporary files are no GenotypePath.
   const GenotypePath from =
       command.is_git ? GenotypePath{path, ""} : SplitGenotypePath(path);
   Result<Source> source = ReadSource(from.file, io);
+  if (source && command.is_git)
+    source = Source(git_name, std::string(source->text()));
   if (!source) {
     const Diagnostic& problem = source.diagnostics()[0];
     io.err << fmt::format("error[{}]: {}\n", problem.code, problem.message);
@@ -186,8 +189,8 @@ Exit RunForGit(const DiffCommand& command, Io& io) {
   const std::string& path = given[0];
   const std::string& new_path = given.size() > 7 ? given[7] : path;
   io.out << fmt::format("plsc diff a/{} b/{}\n", path, new_path);
-  const auto before = ReadVersion(given[1], command, io);
-  const auto after = ReadVersion(given[4], command, io);
+  const auto before = ReadVersion(given[1], "a/" + path, command, io);
+  const auto after = ReadVersion(given[4], "b/" + new_path, command, io);
   if (before && after) {
     const auto comparison = CompareVersions(*before, *after, command, io);
     if (comparison) PrintText(*comparison, command, io);
@@ -215,8 +218,8 @@ Exit Run(const DiffCommand& command, Io& io) {
         command.is_git ? "1, 7 or 9 arguments from git" : "OLD and NEW", count);
     return Exit::kBadUsage;
   }
-  const auto before = ReadVersion(command.files[0], command, io);
-  const auto after = ReadVersion(command.files[1], command, io);
+  const auto before = ReadVersion(command.files[0], "", command, io);
+  const auto after = ReadVersion(command.files[1], "", command, io);
   if (!before || !after) return Exit::kTrouble;
   const auto comparison = CompareVersions(*before, *after, command, io);
   if (!comparison) return Exit::kTrouble;

@@ -1,10 +1,12 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <ostream>
 #include <utility>
 
 #include "compiler/compile.h"
+#include "compiler/merge_lines.h"
 #include "compiler/merge_program.h"
 #include "runtime/cli/commands.h"
 #include "runtime/cli/output_path.h"
@@ -17,23 +19,41 @@ bool IsBlank(const Source& source) {
   return source.text().find_first_not_of(" \t\r\n") == std::string_view::npos;
 }
 
-// A version that can be merged; prints why there is none. An empty base is
-// what git has for a file that both sides added.
-std::optional<Source> ReadVersion(const std::string& path, bool may_be_empty,
-                                  const MergeCommand& command, Io& io) {
-  Result<Source> source = ReadSource(path, io);
-  if (!source) {
-    const Diagnostic& problem = source.diagnostics()[0];
+// One of the three, and why it is no genotype, if it is none.
+struct Version {
+  Source source;
+  std::vector<Diagnostic> problems;
+};
+
+// Compiles. An empty base is what git has for a file that both sides added.
+std::vector<Diagnostic> ProblemsOf(const Source& source,
+                                   const MergeCommand& command) {
+  CompileOptions options;
+  options.allow_out_of_range = command.allow_range;
+  const auto compiled = CompileAll(source, options);
+  if (compiled) return {};
+  return compiled.diagnostics();
+}
+
+// Prints why it cannot be read. git's temporary files have names that tell
+// nobody anything: its driver calls the version "robots/a.pls (theirs)".
+std::optional<Version> ReadVersion(const std::string& path,
+                                   const std::string& label,
+                                   const MergeCommand& command, Io& io) {
+  Result<Source> read = ReadSource(path, io);
+  if (!read) {
+    const Diagnostic& problem = read.diagnostics()[0];
     io.err << fmt::format("error[{}]: {}\n", problem.code, problem.message);
     return std::nullopt;
   }
-  if (may_be_empty && IsBlank(*source)) return std::move(*source);
-  CompileOptions options;
-  options.allow_out_of_range = command.allow_range;
-  const auto compiled = CompileAll(*source, options);
-  if (compiled) return std::move(*source);
-  Report(compiled.diagnostics(), *source, io);
-  return std::nullopt;
+  Source source = command.is_driver && !command.path.empty()
+                      ? Source(fmt::format("{} ({})", command.path, label),
+                               std::string(read->text()))
+                      : std::move(*read);
+  const bool is_nothing = path == command.base && IsBlank(source);
+  std::vector<Diagnostic> problems;
+  if (!is_nothing) problems = ProblemsOf(source, command);
+  return Version{std::move(source), std::move(problems)};
 }
 
 MergeLabels LabelsOf(const MergeCommand& command) {
@@ -56,11 +76,9 @@ std::string NameOf(const MergeCommand& command) {
 // conflicts may be wrong: one side uses what the other removed.
 bool IsCorrect(const std::string& text, const MergeCommand& command, Io& io) {
   const Source merged(NameOf(command), text);
-  CompileOptions options;
-  options.allow_out_of_range = command.allow_range;
-  const auto compiled = CompileAll(merged, options);
-  if (compiled) return true;
-  Report(compiled.diagnostics(), merged, io);
+  const std::vector<Diagnostic> problems = ProblemsOf(merged, command);
+  if (problems.empty()) return true;
+  Report(problems, merged, io);
   io.err << fmt::format(
       "{}: merged without conflict, but what both sides made together is "
       "wrong\n",
@@ -82,29 +100,72 @@ bool WriteMerge(const std::string& text, const MergeCommand& command, Io& io) {
   return !failure;
 }
 
+Exit NotMerged(const MergeCommand& command, Io& io) {
+  io.err << fmt::format("{}: not merged, and left as it was\n",
+                        NameOf(command));
+  return Exit::kTrouble;
+}
+
+// One error a version is enough: this is said amidst git's own words.
+void ReportFirst(const std::vector<const Version*>& versions, Io& io) {
+  for (const Version* version : versions) {
+    const auto& problems = version->problems;
+    const auto error = std::find_if(
+        problems.begin(), problems.end(), [](const Diagnostic& problem) {
+          return problem.severity == Severity::kError;
+        });
+    if (error != problems.end()) Report({*error}, version->source, io);
+  }
+}
+
+// Neither git nor diff3 have lines in such a text.
+bool IsBinary(const Version& version) {
+  return version.source.text().find('\0') != std::string_view::npos;
+}
+
+Exit Finish(const MergedFile& merged, bool must_be_correct,
+            const MergeCommand& command, Io& io) {
+  for (const MergeConflict& conflict : merged.conflicts)
+    io.err << fmt::format("{}:{}: conflict: {}\n", NameOf(command),
+                          conflict.line, conflict.message);
+  const bool is_fine =
+      merged.conflicts.empty() &&
+      (!must_be_correct || IsCorrect(merged.text, command, io));
+  if (!WriteMerge(merged.text, command, io)) return Exit::kTrouble;
+  return is_fine ? Exit::kFine : Exit::kDiffers;
+}
+
 }  // namespace
 
 Exit Run(const MergeCommand& command, Io& io) {
   if (!CanWrite(command.output, {command.base, command.ours, command.theirs},
                 io))
     return Exit::kTrouble;
-  const auto base = ReadVersion(command.base, true, command, io);
-  const auto ours = ReadVersion(command.ours, false, command, io);
-  const auto theirs = ReadVersion(command.theirs, false, command, io);
-  if (!base || !ours || !theirs) {
-    io.err << fmt::format("{}: not merged, and left as it was\n",
-                          NameOf(command));
-    return Exit::kTrouble;
+  const MergeLabels labels = LabelsOf(command);
+  const auto base = ReadVersion(command.base, labels.base, command, io);
+  const auto ours = ReadVersion(command.ours, labels.ours, command, io);
+  const auto theirs = ReadVersion(command.theirs, labels.theirs, command, io);
+  if (!base || !ours || !theirs) return NotMerged(command, io);
+  const bool are_sides_correct =
+      ours->problems.empty() && theirs->problems.empty();
+  if (are_sides_correct && base->problems.empty())
+    return Finish(
+        MergeFiles(base->source, ours->source, theirs->source, labels), true,
+        command, io);
+  if (!command.is_driver) {
+    for (const Version* version : {&*base, &*ours, &*theirs})
+      Report(version->problems, version->source, io);
+    return NotMerged(command, io);
   }
-  const MergedFile merged =
-      MergeFiles(*base, *ours, *theirs, LabelsOf(command));
-  for (const MergeConflict& conflict : merged.conflicts)
-    io.err << fmt::format("{}:{}: conflict: {}\n", NameOf(command),
-                          conflict.line, conflict.message);
-  const bool is_fine =
-      merged.conflicts.empty() && IsCorrect(merged.text, command, io);
-  if (!WriteMerge(merged.text, command, io)) return Exit::kTrouble;
-  return is_fine ? Exit::kFine : Exit::kDiffers;
+  ReportFirst({&*base, &*ours, &*theirs}, io);
+  if (IsBinary(*base) || IsBinary(*ours) || IsBinary(*theirs))
+    return NotMerged(command, io);
+  io.err << fmt::format(
+      "{}: a version is no correct genotype, so lines are merged\n",
+      NameOf(command));
+  return Finish(MergeLines(base->source.text(), ours->source.text(),
+                           theirs->source.text(), labels),
+                are_sides_correct, command, io);
 }
 
 }  // namespace plsc::cli

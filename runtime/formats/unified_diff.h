@@ -1,8 +1,6 @@
 #pragma once
 
-// The difference of two texts as `diff -u` prints it, by Myers' "An O(ND)
-// difference algorithm and its variations" (1986), the basic one, on lines.
-// docs/dependencies.md says why it is not a library's.
+// The difference of two texts as `diff -u` prints it.
 
 #include <string>
 #include <string_view>

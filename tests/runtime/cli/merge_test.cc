@@ -92,13 +92,55 @@ TEST_CASE("merge answers 2 and writes nothing if a version is broken",
       const Versions theirs(kHead, kHead + "let a = 1\n", row.text);
       for (const Versions* versions : {&ours, &theirs}) {
         const std::string before = ReadFile(versions->ours);
-        const Ran ran = versions->Merge({"--driver"});
+        const Ran ran = versions->Merge({"--write-ours"});
         CHECK(ran.exit == 2);
         CHECK(ran.err.find("error[P") != std::string::npos);
         CHECK(ran.err.find("not merged") != std::string::npos);
         CHECK(ReadFile(versions->ours) == before);
       }
     }
+  }
+}
+
+TEST_CASE("As a driver merge goes by lines if a version is broken",
+          "[cli][merge]") {
+  const Versions versions(kHead + "let a = 1\n", kHead + "let a = 2\n",
+                          kHead + "let a = = 3\n");
+  const Ran ran = versions.Merge({"--driver", "--path=robots/a.pls"});
+  CHECK(ran.exit == 1);
+  CHECK(ran.err.find(" --> robots/a.pls (theirs):3:9\n") != std::string::npos);
+  CHECK(ran.err.find(versions.theirs) == std::string::npos);
+  CHECK(ran.err.find("robots/a.pls:3: conflict: changed in different ways in "
+                     "ours and theirs\n") != std::string::npos);
+  CHECK(ReadFile(versions.ours) ==
+        kHead +
+            "<<<<<<< ours\nlet a = 2\n||||||| base\nlet a = 1\n=======\n"
+            "let a = = 3\n>>>>>>> theirs\n");
+}
+
+TEST_CASE("Lines of two correct sides must be correct together",
+          "[cli][merge]") {
+  const std::string sense = "sense hot: bool\n";
+  const std::string right = "let b = 1\nlet c = 1\nlet d = 1\n";
+  const std::string wrong = "let b = 1\nlet c = = 1\nlet d = 1\n";
+  const std::string rule = "rule B -> if hot = True then { T(0.5) }\n";
+  const Versions versions(kHead + sense + wrong, kHead + right,
+                          kHead + sense + right + rule);
+  const Ran ran = versions.Merge({"--driver"});
+  CHECK(ran.exit == 1);
+  CHECK(ran.err.find("error[P2005]") != std::string::npos);
+  CHECK(ReadFile(versions.ours) == kHead + right + rule);
+}
+
+TEST_CASE("As a driver merge leaves binary files as ours", "[cli][merge]") {
+  const std::string binary("\0\x01\xff", 3);
+  for (const bool is_ours : {false, true}) {
+    const Versions versions(kHead, is_ours ? binary : kHead,
+                            is_ours ? kHead : binary);
+    const Ran ran = versions.Merge({"--driver"});
+    CHECK(ran.exit == 2);
+    CHECK(ran.err.find("not merged") != std::string::npos);
+    CHECK(ReadFile(versions.ours) == (is_ours ? binary : kHead));
   }
 }
 

@@ -103,26 +103,6 @@ TEST_CASE("git's conflict of one rule names file, line and symbol",
         ">>>>>>> theirs\nrule B -> { add_left T(0.5) }\n");
 }
 
-TEST_CASE("git keeps a file unmerged, and as it was, if a version is broken",
-          "[merge][git]") {
-  if (!HasGit()) return;
-  const GitRepository repository;
-  repository.Write("robot.pls", "plsc 1\nalphabet plasticoding 1\n");
-  repository.Commit("base");
-  repository.Git("checkout -q -b theirs");
-  repository.Write("robot.pls", "plsc 1\nalphabet plasticoding 1\nrule C {}\n");
-  repository.Commit("broken");
-  repository.Git("checkout -q main");
-  const std::string ours = "plsc 1\nalphabet plasticoding 1\niterations 2\n";
-  repository.Write("robot.pls", ours);
-  repository.Commit("ours");
-  const Ran merge = repository.Git("merge theirs");
-  CHECK(merge.exit == 1);
-  CHECK(merge.err.find("error[P1115]") != std::string::npos);
-  CHECK(Unmerged(repository) == std::set<std::string>{"robot.pls"});
-  CHECK(repository.Read("robot.pls") == ours);
-}
-
 TEST_CASE("git merges a file that both sides added", "[merge][git]") {
   if (!HasGit()) return;
   const GitRepository repository;

@@ -26,11 +26,11 @@ bool HasGit() {
 GitRepository::GitRepository(bool has_driver) {
   Git("init -q -b main .");
   const std::string plsc = PLSC_EXECUTABLE;
-  Git("config diff.plsc.command '" + plsc + " diff --git'");
+  Git("config diff.plsc.command '" + plsc + " diff --git --'");
   if (!has_driver) return;
   Git("config merge.plsc.name 'genotypes by rule and symbol'");
   Git("config merge.plsc.driver '" + plsc +
-      " merge --driver %O %A %B -L %L -P %P'");
+      " merge --driver -L %L --path=%P -- %O %A %B'");
   Write(".gitattributes", "*.pls diff=plsc merge=plsc\n");
 }
 
