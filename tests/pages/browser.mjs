@@ -51,9 +51,11 @@ async function launch() {
 // What a GPU that is none has to say is not the page's doing.
 const notOurs = /swiftshader|GPU stall|GL Driver Message|Automatic fallback to software WebGL/i;
 
-// Opens the file and calls use(page); size is desktop or phone.
-export async function withPage(file, size, use) {
+// Opens the file and calls use(page); size is desktop or phone. `prepare` runs
+// in the page before any script of its own.
+export async function withPage(file, size, use, prepare) {
   const context = await (await launch()).newContext({ viewport: size, acceptDownloads: true });
+  if (prepare) await context.addInitScript(prepare);
   const page = await context.newPage();
   const url = pathToFileURL(file).href;
   const wrongs = [];

@@ -28,6 +28,7 @@ experiments:
 const folder = join(scratch, "study");
 const file = join(scratch, "report.html");
 const single = join(scratch, "single.html");
+const still = join(scratch, "still.html");
 const partly = join(scratch, "partly.html");
 
 before(() => {
@@ -35,6 +36,7 @@ before(() => {
   plsc("study", "run", "study.yaml", "-o", folder, "--quiet");
   plsc("report", folder, "-o", file);
   plsc("report", join(folder, "plastic/1.sqlite"), "-o", single, "--measures", "speed,hinge_count");
+  plsc("report", join(folder, "static/1.sqlite"), "-o", still, "--measures", "speed,balance,size,hinge_count");
 
   // One run missing, one damaged, one whose name is a script.
   const runs = join(scratch, "runs");
@@ -202,6 +204,26 @@ test("one run alone shows its population", () =>
     assert.match(await page.textContent("#measures"), /quartiles of the population's robots/);
     await screenshot(page, "report-single-phone");
   }));
+
+test("one run alone fills the page, with two seasons and with one", async () => {
+  for (const [shown, name] of [
+    [single, "report-single"],
+    [still, "report-single-season"],
+  ])
+    await withPage(shown, desktop, async (page) => {
+      await assertFitsWidth(page);
+      const { charts, room } = await page.evaluate(() => ({
+        charts: [...document.querySelectorAll("figure.curves")].map((figure) => figure.querySelector("svg").getBoundingClientRect().toJSON()),
+        room: document.querySelector("#measures").getBoundingClientRect().toJSON(),
+      }));
+      const tops = new Set(charts.map(({ top }) => Math.round(top)));
+      for (const row of [...tops].map((top) => charts.filter((chart) => Math.round(chart.top) === top))) {
+        const right = Math.max(...row.map((chart) => chart.right));
+        assert.ok(right > room.left + 0.9 * room.width, `a row of ${row.length} ends at ${right} of ${room.right}`);
+      }
+      await screenshot(page, name, { fullPage: true });
+    });
+});
 
 test("what is damaged is told, and what is named as a script is text", () =>
   withPage(partly, desktop, async (page) => {

@@ -3,9 +3,21 @@ import * as Plot from "@observablehq/plot";
 import { addLegend, axisTitle, chartFigure, legendHeight } from "./chart.js";
 import { number } from "./text.js";
 
-const width = 380;
 const height = 270;
 const left = 46;
+const gap = 16; // px, of main.css
+const widest = 1240; // px, of main.css
+
+// px. Where box plots stand beside them.
+export const usualWidth = 380;
+
+// Of `count` charts that have a row to themselves, as far as the window has
+// one; at most half of it each, so that one alone leaves room for another.
+export function widthInRow(count) {
+  const room = Math.min(widest, document.documentElement.clientWidth - 40);
+  const inRow = Math.max(2, count);
+  return Math.max(usualWidth, Math.floor((room - gap * (inRow - 1)) / inRow));
+}
 
 // A line is {name, style, low, median, high, counts, hasBand}.
 const pointsOf = (line) =>
@@ -21,8 +33,9 @@ function marksOf(line) {
   return [line.hasBand ? [band] : [], curve, dot].flat();
 }
 
-// `chart`: {title, yLabel, domain, lines, caption, name, isShare}.
+// `chart`: {title, yLabel, domain, lines, caption, name, isShare, width}.
 export function curvesFigure(chart) {
+  const { width = usualWidth } = chart;
   const entries = chart.lines.map((line) => ({ text: line.name, ...line.style }));
   const top = legendHeight(entries, width) + 22;
   const tips = chart.lines.flatMap((line) =>

@@ -54,7 +54,7 @@ function measuresSection(data, measures) {
   const note = data.single
     ? "Lines are medians and bands quartiles of the population's robots, in each generation. Robots whose life was not completed have no behaviour and are left out."
     : "Each run counts with the mean of its population. Lines are medians and bands quartiles of runs. Boxes are quartiles, whiskers end at the farthest run within 1.5 times the box, dots are runs, diamonds means. Robots whose life was not completed have no behaviour and are left out.";
-  return element("section", { id: "measures" }, element("h2", {}, "Measures"), element("p", { class: "note" }, note), measures);
+  return element("section", { id: "measures" }, element("h2", {}, "Measures"), element("p", { class: "note" }, note), element("div", { class: data.single && data.seasons.length === 1 ? "pairs" : null }, measures));
 }
 
 function show(data) {

@@ -2,7 +2,7 @@
 // the same scales, as the paper's figures have them.
 import { element } from "../common/dom.js";
 import { boxesFigure } from "./boxes.js";
-import { curvesFigure } from "./curves.js";
+import { curvesFigure, usualWidth, widthInRow } from "./curves.js";
 import { fileName, number, pValue, range, withUnit } from "./text.js";
 
 // The least and the greatest of numbers, nulls left out, with a little air.
@@ -43,6 +43,7 @@ export function measureSection(data, styles, index) {
   const curveDomain = domainOf(curves.flatMap(({ experiment, low, median, high }) => (data.experiments[experiment].static ? [median] : [low, high])));
   const boxDomain = domainOf(finals.flatMap(({ experiment, values, mean }) => (data.experiments[experiment].static ? [mean] : values.map(({ value }) => value))));
   const generations = [0, Math.max(1, ...curves.map(({ median }) => median.length - 1))];
+  const width = data.single ? widthInRow(data.seasons.length) : usualWidth;
   const figures = { curves: [], boxes: [] };
   data.seasons.forEach((season, seasonIndex) => {
     const here = (one) => one.season === seasonIndex;
@@ -58,7 +59,7 @@ export function measureSection(data, styles, index) {
     }));
     if (lines.length)
       figures.curves.push(
-        curvesFigure({ ...common, title: `${measure.title} over generations, ${season}`, name: fileName(measure.title, season, "curves"), domain: curveDomain, generations, lines, isSingle: data.single, caption: curveCaption(data, season, lines) }),
+        curvesFigure({ ...common, title: `${measure.title} over generations, ${season}`, name: fileName(measure.title, season, "curves"), domain: curveDomain, generations, lines, width, isSingle: data.single, caption: curveCaption(data, season, lines) }),
       );
     const named = finals.filter(here).map((one) => ({
       ...one,

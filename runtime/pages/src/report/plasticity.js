@@ -2,7 +2,7 @@
 import * as Plot from "@observablehq/plot";
 import { element } from "../common/dom.js";
 import { addLegend, chartFigure, legendHeight } from "./chart.js";
-import { curvesFigure } from "./curves.js";
+import { curvesFigure, usualWidth, widthInRow } from "./curves.js";
 import { patternColours } from "./series.js";
 import { fileName, percent, plural, range } from "./text.js";
 
@@ -29,6 +29,7 @@ function partFigure(data, styles, part) {
     isShare: true,
     generations: [0, Math.max(1, ...lines.map(({ median }) => median.length - 1))],
     lines,
+    width: data.single ? widthInRow(parts.length) : usualWidth,
     isSingle: data.single,
     name: fileName("plasticity", part.name),
     caption: `${part.title}, ${of}. At the end: ${last}.`,

@@ -36,10 +36,11 @@ export class Clock {
     this.#tell();
   }
 
-  // `seconds` on the wall.
+  // `seconds` on the wall. Time never goes back, whatever the browser's clock
+  // does: a frame may be stamped with a time before that of the one before.
   pass(seconds) {
     if (!this.isPlaying) return;
-    this.time += Math.min(seconds, longestFrame) * this.speed;
+    this.time += Math.min(Math.max(seconds, 0), longestFrame) * this.speed;
     if (this.time >= this.end) {
       this.time = this.end;
       this.isPlaying = false;

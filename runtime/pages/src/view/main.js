@@ -99,8 +99,11 @@ clock.go(Number(wanted.get("t")) || 0);
 const isCalm = matchMedia("(prefers-reduced-motion: reduce)").matches;
 clock.play(wanted.has("t") ? wanted.has("play") : !isCalm);
 
-let last = performance.now();
+// Frames are stamped with their beginning, which may be before this script
+// ran: the first one only says when the next one's time begins.
+let last = null;
 function tick(now) {
+  last ??= now;
   clock.pass((now - last) / 1000);
   if (stage?.draw(now) && clock.isPlaying) stage.judge(now - last);
   last = now;
