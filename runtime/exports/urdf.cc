@@ -13,9 +13,11 @@ using Eigen::Vector3d;
 
 std::string Notes(const RobotModel& model) {
   return NotesOn(model) +
-         "\nURDF has no place for the start: with the core at " +
-         NumbersText(model.start.position) +
-         ",\nthe robot rests on the ground.\n"
+         "\nURDF has no place for ground, gravity, step and start, which is "
+         "with the core at\n" +
+         NumbersText(model.start.position) + ", turned by " +
+         NumbersText(FixedAngles(model.start.axes)) +
+         " (roll, pitch, yaw).\n"
          "The gazebo elements are sensors and contacts; others skip them.";
 }
 
@@ -136,7 +138,7 @@ XmlElement ForGazebo(const RobotModel& model, std::size_t index) {
                      XmlText("mu2", NumberText(physics.friction)),
                      XmlText("kp", NumberText(physics.robot_kp)),
                      XmlText("kd", NumberText(physics.robot_kd))}};
-  if (index == 0) gazebo.children.push_back(GazeboSensor(kImuName, "imu", {}));
+  if (index == 0) gazebo.children.push_back(GazeboSensor(model.imu, "imu", {}));
   for (const TouchSensor& touch : model.touch_sensors)
     if (touch.link == index)
       gazebo.children.push_back(GazeboSensor(
@@ -145,6 +147,19 @@ XmlElement ForGazebo(const RobotModel& model, std::size_t index) {
             {},
             {XmlText("collision", CollisionInGazebo(model, touch))}}}));
   return gazebo;
+}
+
+/// Where tools of ROS begin: a link without inertia, since their solvers give
+/// the root none. Gazebo joins it and the core into one link.
+XmlElement BaseLink(const RobotModel& model) {
+  return {"link", {{"name", model.prefix + "base_link"}}};
+}
+
+XmlElement BaseJoint(const RobotModel& model) {
+  return {"joint",
+          {{"name", model.prefix + "base_joint"}, {"type", "fixed"}},
+          {{"parent", {{"link", model.prefix + "base_link"}}},
+           {"child", {{"link", model.links[0]}}}}};
 }
 
 XmlElement Material(ModuleType type) {
@@ -166,6 +181,8 @@ std::string Urdf(const RobotModel& model) {
        {ModuleType::kCore, ModuleType::kBrick, ModuleType::kVerticalJoint,
         ModuleType::kHorizontalJoint, ModuleType::kTouchSensor})
     parts.push_back(Material(type));
+  parts.push_back(BaseLink(model));
+  parts.push_back(BaseJoint(model));
   for (std::size_t i = 0; i < model.links.size(); ++i)
     parts.push_back(LinkElement(model, i));
   for (std::size_t i = 0; i < model.joints.size(); ++i)
