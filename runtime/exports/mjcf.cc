@@ -14,6 +14,10 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using Attributes = std::vector<std::pair<std::string, std::string>>;
 
+constexpr const char* kAloneNotes =
+    "\nThe motors are stiff: a world with this robot needs <option "
+    "integrator=\"implicit\"/>.";
+
 constexpr const char* kNotes =
     "The control of an actuator is that speed.\n"
     "A touch sensor reads the force on its box, N; plsc takes any as touched.\n"
@@ -240,7 +244,8 @@ std::string Mjcf(const RobotModel& model, Surroundings surroundings) {
   XmlElement root{"mujoco",
                   {{"model", model.name + " in " + model.environment}}};
   auto& parts = root.children;
-  parts.push_back(XmlComment(NotesOn(model) + "\n" + kNotes));
+  parts.push_back(XmlComment(NotesOn(model) + "\n" + kNotes +
+                             (has_floor ? "" : kAloneNotes)));
   XmlElement world{"worldbody"};
   if (has_floor) {
     parts.push_back({"compiler", {{"angle", "radian"}}});

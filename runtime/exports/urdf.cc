@@ -43,11 +43,16 @@ XmlElement Inertial(const Link& link, const Vector3d& frame) {
              {"izz", NumberText(i(2, 2))}}}}};
 }
 
-/// Gazebo's reader takes shapes that are not named after their link for those
-/// of another link, fixed to it, and forgets their friction.
+/// Gazebo's reader takes shapes whose names do not begin so for those of
+/// another link, fixed to it, and forgets their friction.
 std::string ShapeName(const RobotModel& model, std::size_t link,
-                      const Box& box) {
-  return model.links[link] + "_" + BoxName(model.phenotype.body, box);
+                      const std::string& kind, const Box& box) {
+  return model.links[link] + "_" + kind + "_" +
+         BoxName(model.phenotype.body, box);
+}
+
+std::string BaseName(const RobotModel& model) {
+  return model.prefix + "base_link";
 }
 
 /// A box as it is seen ("visual") or felt ("collision").
@@ -55,7 +60,7 @@ XmlElement Shape(const char* kind, const RobotModel& model, std::size_t link,
                  const Box& box) {
   const Vector3d frame = FrameOf(model.assembly, link);
   return {kind,
-          {{"name", ShapeName(model, link, box)}},
+          {{"name", ShapeName(model, link, kind, box)}},
           {Origin(box.centre - frame, box.axes),
            {"geometry", {}, {{"box", {{"size", NumbersText(box.size)}}}}}}};
 }
@@ -113,12 +118,14 @@ XmlElement Transmission(const RobotModel& model, std::size_t hinge) {
 }
 
 /// Gazebo's name of the shape that a touch sensor feels: it numbers those of a
-/// link, but for the first.
+/// link, but for the first, and makes the core a part of the base.
 std::string CollisionInGazebo(const RobotModel& model,
                               const TouchSensor& touch) {
   const Box& box = model.assembly.links[touch.link].boxes[touch.box];
-  return ShapeName(model, touch.link, box) + "_collision" +
-         (touch.box == 0 ? "" : "_" + std::to_string(touch.box));
+  const std::string joined =
+      touch.link == 0 ? BaseName(model) + "_fixed_joint_lump__" : "";
+  return joined + ShapeName(model, touch.link, "collision", box) +
+         "_collision" + (touch.box == 0 ? "" : "_" + std::to_string(touch.box));
 }
 
 XmlElement GazeboSensor(const std::string& name, const std::string& type,
@@ -152,13 +159,13 @@ XmlElement ForGazebo(const RobotModel& model, std::size_t index) {
 /// Where tools of ROS begin: a link without inertia, since their solvers give
 /// the root none. Gazebo joins it and the core into one link.
 XmlElement BaseLink(const RobotModel& model) {
-  return {"link", {{"name", model.prefix + "base_link"}}};
+  return {"link", {{"name", BaseName(model)}}};
 }
 
 XmlElement BaseJoint(const RobotModel& model) {
   return {"joint",
           {{"name", model.prefix + "base_joint"}, {"type", "fixed"}},
-          {{"parent", {{"link", model.prefix + "base_link"}}},
+          {{"parent", {{"link", BaseName(model)}}},
            {"child", {{"link", model.links[0]}}}}};
 }
 
