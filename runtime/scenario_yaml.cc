@@ -163,7 +163,11 @@ std::vector<Season> ReadSeasons(YamlMap& map, Profile profile,
   return seasons;
 }
 
-// Both tell of the first season that is wrong: one number is wrong for all.
+// Of a season: as many as the longest one has of the default interval. A
+// robot's trajectory is held in memory, some 200 bytes a sample.
+constexpr double kMaxSamples = 5e6;
+
+// All tell of the first season that is wrong: one number is wrong for all.
 void CheckSampling(YamlMap& map, const Scenario& scenario) {
   const YamlValue place = map.Find("sample_interval").value_or(map.place());
   for (const Season& season : scenario.seasons) {
@@ -179,10 +183,41 @@ void CheckSampling(YamlMap& map, const Scenario& scenario) {
           fmt::format("samples every {} s are further apart than "
                       "season '{}' is long, {} s",
                       scenario.sample_interval, season.name, season.duration));
+    const double samples = season.duration / scenario.sample_interval;
+    if (samples > kMaxSamples)
+      return place.Report(
+          "P5108",
+          fmt::format("samples every {} s are {:.0f} of season '{}', "
+                      "{} s, more than {:.0f}",
+                      scenario.sample_interval, samples, season.name,
+                      season.duration, kMaxSamples),
+          "a greater 'sample_interval' takes less memory");
   }
 }
 
+// What a core may take to settle before anything is lived: some seconds of
+// computing that no signal ends.
+constexpr double kMaxSettlingSteps = 1e6;
+
 /// Before any robot waits for it.
+void CheckSettling(YamlMap& map, const Scenario& scenario) {
+  if (scenario.sensing != Sensing::kImu) return;
+  const YamlValue place = map.Find("imu").value_or(map.place());
+  for (const Season& season : scenario.seasons) {
+    const double steps = scenario.imu.settling / season.physics.step;
+    if (steps > kMaxSettlingSteps)
+      return place.Report(
+          "P5108",
+          fmt::format("the IMU settles for {} s, which are {:.0f} steps of "
+                      "season '{}', more than {:.0f}",
+                      scenario.imu.settling, steps, season.name,
+                      kMaxSettlingSteps),
+          "let it settle for a shorter time ('imu: {settling: ...}'), or make "
+          "the steps longer");
+  }
+}
+
+/// Likewise.
 void CheckLengths(YamlMap& map, const Scenario& scenario) {
   const YamlValue place = map.Find("max_steps").value_or(map.place());
   for (const Season& season : scenario.seasons) {
@@ -279,6 +314,7 @@ Scenario ReadScenario(YamlMap& map) {
   if (map.place().error_count() == errors) {
     CheckSampling(map, scenario);
     CheckLengths(map, scenario);
+    CheckSettling(map, scenario);
   }
   return scenario;
 }

@@ -29,11 +29,24 @@ std::string CheckExportFormat(const std::string& name) {
              : "expected " + FormatList() + ", found '" + name + "'";
 }
 
+/// What is part of a name in every format.
+std::string CheckPrefix(const std::string& text) {
+  const auto is_fine = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
+           (c >= '0' && c <= '9') || c == '_' || c == '-' || c == '.';
+  };
+  return !text.empty() && std::all_of(text.begin(), text.end(), is_fine)
+             ? ""
+             : "expected letters, digits, '_', '-' and '.', found '" + text +
+                   "'";
+}
+
 constexpr const char* kExportFooter =
     "A robot is written as it develops in an environment, with the geometry, "
     "masses,\ninertias, joints, limits, servos and sensors that plsc "
-    "simulates:\n\n"
-    "  mjcf             MuJoCo, on a floor\n"
+    "simulates, on the ground of its\nseason and with the constants of its "
+    "run or scenario:\n\n"
+    "  mjcf             MuJoCo: a world with the robot\n"
     "  urdf             ROS\n"
     "  sdf              Gazebo: a world with the robot\n"
     "  yaml             the authors' program (Revolve)\n"
@@ -48,7 +61,10 @@ constexpr const char* kExportFooter =
     "an SQLite file: sqlite3\nand pandas open it as it is (docs/runs.md).\n\n"
     "  plsc export examples/climber.pls --env flat --to mjcf -o climber.xml\n"
     "  plsc export examples/climber.pls --to sdf -o robots/\n"
+    "  plsc export examples/climber.pls --scenario hills.yaml --to json -o "
+    "hills/\n"
     "  plsc export run1.sqlite best --to urdf -o best/\n"
+    "  plsc export run1.sqlite 7 --env flat --to mjcf --alone --prefix a_\n"
     "  plsc export run1.sqlite --csv tables\n"
     "  plsc export run1.sqlite --jsonl | jq -c 'select(.individual.id == "
     "17)'";
@@ -67,9 +83,21 @@ void AddRobotOptions(CLI::App* sub, ExportCommand& command, CLI::Option* to) {
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
       ->needs(to);
+  sub->add_option("--scenario", command.scenario,
+                  "with --to: YAML file with the seasons and the physics "
+                  "(default: of a robot of a run the run's; of a file flat "
+                  "ground and the paper's constants)")
+      ->option_text("FILE")
+      ->needs(to);
   sub->add_flag("--alone", command.alone,
-                "with --to mjcf or sdf: the robot without floor, light and "
+                "with --to mjcf or sdf: the robot without ground, light and "
                 "physics, for a world of yours")
+      ->needs(to);
+  sub->add_option("--prefix", command.prefix,
+                  "with --to: goes before the names of all parts, so that one "
+                  "world takes several robots")
+      ->option_text("TEXT")
+      ->check(CheckPrefix)
       ->needs(to);
   sub->add_flag("--allow-range", command.allow_range,
                 "with --to: arguments outside their range are warnings, not "

@@ -20,6 +20,13 @@ void AddEnvironments(CLI::App* command,
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 }
 
+void AddRobot(CLI::App* command, std::string& individual) {
+  command
+      ->add_option("ROBOT", individual,
+                   "which robot of the run: a number, or best")
+      ->option_text("ROBOT");
+}
+
 }  // namespace
 
 CLI::App* AddDevelop(CLI::App& app, DevelopCommand& command) {
@@ -122,11 +129,15 @@ CLI::App* AddRegulate(CLI::App& app, RegulateCommand& command) {
 CLI::App* AddSimulate(CLI::App& app, SimulateCommand& command) {
   CLI::App* sub = app.add_subcommand(
       "simulate", "Live the seasons of a scenario in the physics simulator");
-  sub->add_option("FILE", command.file, "a genotype file; - is standard input")
+  sub->add_option("FILE", command.file,
+                  "a genotype file (- is standard input), or the store of a "
+                  "run")
       ->required();
+  AddRobot(sub, command.individual);
   sub->add_option("--scenario", command.scenario,
                   "YAML file with the seasons and the physics (default: the "
-                  "paper's, 50 s Flat then 50 s Tilted by 5 degrees)")
+                  "run's; of a file the paper's, 50 s Flat then 50 s Tilted by "
+                  "5 degrees)")
       ->option_text("FILE");
   AddFormat(sub, command.format, "one season a line, with all descriptors");
   sub->add_flag("--descriptors", command.descriptors,
@@ -157,7 +168,8 @@ CLI::App* AddSimulate(CLI::App& app, SimulateCommand& command) {
       "  plsc simulate examples/gecko.pls\n"
       "  plsc simulate examples/gecko.pls --descriptors\n"
       "  plsc simulate robot.pls --scenario hot.yaml --format json\n"
-      "  plsc simulate robot.pls --record robot.rec.json --svg robot.svg");
+      "  plsc simulate robot.pls --record robot.rec.json --svg robot.svg\n"
+      "  plsc simulate run1.sqlite best --descriptors");
   return sub;
 }
 
@@ -170,8 +182,9 @@ CLI::App* AddTest(CLI::App& app, TestCommand& command) {
   sub->add_flag("--update", command.update,
                 "record what was found as expected, where that differs");
   sub->add_option("--jobs", command.jobs,
-                  "threads (default: one a core); changes no result")
-      ->check(CLI::Range(1, 1024))
+                  "threads (0 and default: one a core that may be used); "
+                  "changes no result")
+      ->check(CLI::Range(0, 1024))
       ->option_text("N");
   sub->add_option("--format", command.format,
                   "text for people (default); json: a test a line; junit: XML "
@@ -204,8 +217,10 @@ CLI::App* AddWhy(CLI::App& app, WhyCommand& command) {
       "symbol");
   sub->add_option("FILE", command.file,
                   "a genotype file (- is standard input); FILE:LINE:COLUMN "
-                  "asks about the symbol there, also -:LINE:COLUMN")
+                  "asks about the symbol there, also -:LINE:COLUMN; or the "
+                  "store of a run")
       ->required();
+  AddRobot(sub, command.individual);
   CLI::Option* module =
       sub->add_option("--module", command.module,
                       "ask about a module by its number, as 7, or a sensor, "
@@ -232,7 +247,8 @@ CLI::App* AddWhy(CLI::App& app, WhyCommand& command) {
       "such a part.\n\n"
       "  plsc why robot.pls --module 7 --env tilted\n"
       "  plsc why robot.pls --edge node3-node1\n"
-      "  plsc why robot.pls:12:5 --format json");
+      "  plsc why robot.pls:12:5 --format json\n"
+      "  plsc why run1.sqlite best --module 3");
   return sub;
 }
 

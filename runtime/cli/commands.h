@@ -52,7 +52,9 @@ struct ExportCommand {
   std::optional<ExportFormat> to;         ///< a robot instead of the run
   std::string individual;                 ///< of `to`; as RobotAsked's
   std::vector<std::string> environments;  ///< of `to`; as DevelopCommand's
+  std::string scenario;                   ///< of `to`, as RobotAsked's
   bool alone = false;                     ///< of `to`: without floor
+  std::string prefix;                     ///< of `to`: before names of parts
   bool allow_range = false;               ///< of `to`
   /// Of --jsonl or --to; empty: standard output. A folder if there are several
   /// environments.
@@ -203,8 +205,9 @@ struct RegulateCommand {
 };
 
 struct SimulateCommand {
-  std::string file;
-  std::string scenario;  ///< empty: the paper's
+  std::string file;        ///< a genotype file, or the store of a run
+  std::string individual;  ///< of a run: an id or "best"; else empty
+  std::string scenario;    ///< empty: the run's, or the paper's
   OutputFormat format = OutputFormat::kText;
   std::string trajectory_folder;  ///< empty: none
   bool descriptors = false;       ///< all of them, text format only
@@ -282,8 +285,9 @@ struct ViewCommand {
 };
 
 struct WhyCommand {
-  std::string file;    ///< or FILE:LINE:COLUMN, which asks about a symbol
-  std::string module;  ///< an id to ask about; empty: none
+  std::string file;        ///< or FILE:LINE:COLUMN, which asks about a symbol
+  std::string individual;  ///< of a run: an id or "best"; else empty
+  std::string module;      ///< an id to ask about; empty: none
   std::string node;
   std::string edge;
   std::vector<std::string> environments;  ///< as DevelopCommand's

@@ -12,6 +12,7 @@
 #include "runtime/cli/open_run.h"
 #include "runtime/cli/output_path.h"
 #include "runtime/cli/program.h"
+#include "runtime/cli/robot_setting.h"
 #include "runtime/cli/robot_source.h"
 #include "runtime/develop.h"
 #include "sim/overlap.h"
@@ -54,20 +55,40 @@ void WarnOfOverlaps(const RobotModel& model, Io& io) {
       box_name(first.link_b, first.box_b));
 }
 
-std::optional<std::vector<RobotModel>> GrowModels(const RobotFound& robot,
+/// Once for all robots: what their files do not say.
+void WarnOfLeftOut(ExportFormat format, const std::vector<RobotModel>& models,
+                   Io& io) {
+  std::vector<std::string> parts;
+  for (const RobotModel& model : models) {
+    const std::string left_out = LeftOut(format, model);
+    if (!left_out.empty())
+      parts.push_back(fmt::format("in {} {}", model.environment, left_out));
+  }
+  if (parts.empty()) return;
+  io.err << fmt::format(
+      "warning: {} has no place for what plsc simulates: {}\n", NameOf(format),
+      fmt::join(parts, "; "));
+}
+
+std::optional<std::vector<RobotModel>> GrowModels(const ExportCommand& command,
+                                                  const RobotFound& robot,
                                                   Io& io) {
   const Genotype& genotype = robot.loaded.mapped.program.genotype;
+  const std::vector<RobotSetting> settings = SettingsOf(robot, io);
   std::vector<RobotModel> models;
-  for (const NamedEnvironment& named : robot.environments) {
+  for (std::size_t i = 0; i < settings.size(); ++i) {
+    const NamedEnvironment& named = robot.environments[i];
     const auto phenotype = Develop(genotype, named.environment);
     if (!phenotype) {
       ReportGrowth(robot.loaded, named, io);
       return std::nullopt;
     }
-    models.push_back(
-        ModelOf({genotype.name, named.name}, *phenotype, ExportedOptions()));
+    models.push_back(ModelOf({genotype.name, named.name, command.prefix},
+                             *phenotype, settings[i].options,
+                             settings[i].terrain));
     WarnOfOverlaps(models.back(), io);
   }
+  if (!command.alone) WarnOfLeftOut(*command.to, models, io);
   return models;
 }
 
@@ -176,11 +197,19 @@ Exit ExportRobots(const ExportCommand& command, Io& io) {
   if (!asks_folder &&
       !CanWrite(command.output, {SplitGenotypePath(command.file).file}, io))
     return Exit::kBadInput;
-  const auto found = FindRobot({command.file, command.individual,
-                                command.environments, command.allow_range},
-                               io);
+  if (!command.prefix.empty() && !HasNames(*command.to)) {
+    io.err << fmt::format(
+        "plsc: --prefix goes before names of parts, and {} has none\n"
+        "see 'plsc export --help'\n",
+        NameOf(*command.to));
+    return Exit::kBadUsage;
+  }
+  const auto found =
+      FindRobot({command.file, command.individual, command.environments,
+                 command.allow_range, command.scenario},
+                io);
   if (const Exit* exit = std::get_if<Exit>(&found)) return *exit;
-  const auto models = GrowModels(std::get<RobotFound>(found), io);
+  const auto models = GrowModels(command, std::get<RobotFound>(found), io);
   if (!models) return Exit::kBadInput;
   if (asks_folder) return FillFolder(command, *models, io);
   const bool names_file =

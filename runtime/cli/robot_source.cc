@@ -7,7 +7,10 @@
 #include <utility>
 
 #include "compiler/print.h"
+#include "runtime/cli/load_yaml.h"
 #include "runtime/cli/open_run.h"
+#include "runtime/cli/recorded_life.h"
+#include "runtime/season_environments.h"
 #include "runtime/season_teller.h"
 
 namespace plsc::cli {
@@ -26,48 +29,34 @@ std::vector<NamedEnvironment> SeasonsOf(const Individual& one) {
 }
 
 std::variant<RobotFound, Exit> FindInRun(const RobotAsked& asked, Io& io) {
-  RunStore store;
-  if (const auto failure = store.OpenForReading(asked.file))
-    return Complain(*failure, io);
-  const Loaded<int> id = IdOf(store, asked.individual);
-  if (!id) return Complain(id.failure(), io);
-  const Loaded<Individual> one = store.Find(*id);
-  if (!one) return Complain(one.failure(), io);
+  auto in_store = FindInStore(asked.file, asked.individual, io);
+  if (const Exit* exit = std::get_if<Exit>(&in_store)) return *exit;
+  auto& [one, scenario] = std::get<RobotOfRun>(in_store);
   // As `plsc show --genotype` prints it, so that its lines are known.
-  Source source(one->genotype.name + ".pls", Print(one->genotype));
+  Source source(one.genotype.name + ".pls", Print(one.genotype));
   CompileOptions options;
   options.allow_out_of_range = true;
   Result<MappedProgram> mapped = CompileWithMap(source, options);
-  assert(mapped && mapped->program.genotype == one->genotype);
+  assert(mapped && mapped->program.genotype == one.genotype);
   RobotFound found{
-      fmt::format("{} of generation {}", one->genotype.name, one->generation),
+      fmt::format("{} of generation {}", one.genotype.name, one.generation),
       {std::move(source), std::move(*mapped)},
-      {}};
+      {},
+      std::move(scenario)};
   Program& program = found.loaded.mapped.program;
-  program.environments = SeasonsOf(*one);
-  if (program.environments.empty() && asked.environments.empty())
+  program.environments = SeasonsOf(one);
+  if (program.environments.empty() && asked.environments.empty() &&
+      asked.scenario.empty())
     return Complain(
         fmt::format("robot {} is not evaluated yet, or did not develop; say "
                     "what it senses with --env",
-                    *id),
+                    one.id),
         io);
-  auto environments = ChooseEnvironments(program, asked.environments, io);
-  if (!environments) return Exit::kBadUsage;
-  found.environments = std::move(*environments);
   return found;
 }
 
-}  // namespace
-
-std::variant<RobotFound, Exit> FindRobot(const RobotAsked& asked, Io& io) {
-  if (!asked.individual.empty()) return FindInRun(asked, io);
-  // It would only be called text that is not UTF-8.
-  if (IsDatabase(asked.file)) {
-    io.err << fmt::format(
-        "error: {} is a run; which of its robots? add a number, or best\n",
-        asked.file);
-    return Exit::kBadUsage;
-  }
+std::variant<RobotFound, Exit> FindInFile(const RobotAsked& asked, Io& io) {
+  if (!IsRobotNamed(asked.file, "", io)) return Exit::kBadUsage;
   auto loaded = LoadWithMap(asked.file, asked.allow_range, io);
   if (!loaded) return Exit::kBadInput;
   const Program& program = loaded->mapped.program;
@@ -76,11 +65,55 @@ std::variant<RobotFound, Exit> FindRobot(const RobotAsked& asked, Io& io) {
                           program.genotype.alphabet->name());
     return Exit::kBadInput;
   }
-  auto environments = ChooseEnvironments(program, asked.environments, io);
-  if (!environments) return Exit::kBadUsage;
   std::string title = program.genotype.name;
-  return RobotFound{std::move(title), std::move(*loaded),
-                    std::move(*environments)};
+  return RobotFound{std::move(title), std::move(*loaded), {}, {}};
+}
+
+/// The scenario's seasons for what the file declares or the run has stored.
+bool PutInto(const std::string& scenario_file, RobotFound& robot, Io& io) {
+  Program& program = robot.loaded.mapped.program;
+  robot.scenario = LoadScenario(scenario_file, io);
+  if (!robot.scenario || !CanLive(*robot.scenario, program.genotype, io))
+    return false;
+  program.environments = SeasonEnvironments(program.genotype, *robot.scenario);
+  return true;
+}
+
+}  // namespace
+
+std::variant<RobotOfRun, Exit> FindInStore(const std::string& run,
+                                           const std::string& individual,
+                                           Io& io) {
+  RunStore store;
+  if (const auto failure = store.OpenForReading(run))
+    return Complain(*failure, io);
+  const Loaded<int> id = IdOf(store, individual);
+  if (!id) return Complain(id.failure(), io);
+  Loaded<Individual> one = store.Find(*id);
+  if (!one) return Complain(one.failure(), io);
+  return RobotOfRun{std::move(*one), store.experiment().scenario};
+}
+
+bool IsRobotNamed(const std::string& file, const std::string& individual,
+                  Io& io) {
+  if (!individual.empty() || !IsDatabase(file)) return true;
+  io.err << fmt::format(
+      "error: {} is a run; which of its robots? add a number, or best\n", file);
+  return false;
+}
+
+std::variant<RobotFound, Exit> FindRobot(const RobotAsked& asked, Io& io) {
+  auto found =
+      asked.individual.empty() ? FindInFile(asked, io) : FindInRun(asked, io);
+  if (std::holds_alternative<Exit>(found)) return found;
+  RobotFound& robot = std::get<RobotFound>(found);
+  if (!asked.scenario.empty() && !PutInto(asked.scenario, robot, io))
+    return Exit::kBadInput;
+  auto environments =
+      ChooseEnvironments(robot.loaded.mapped.program, asked.environments, io);
+  if (!environments) return Exit::kBadUsage;
+  robot.environments = std::move(*environments);
+  return found;
 }
 
 std::string SensesOf(const NamedEnvironment& named,

@@ -1,15 +1,18 @@
 #pragma once
 
-// The robot that a command about pictures is asked for: of a genotype file, or
-// of a run, whose seasons are the environments. Either way its text, so that
-// rules and symbols have places.
+// The robot that a command is asked for: of a genotype file, or of a run, whose
+// seasons are the environments. Either way its text, so that rules and symbols
+// have places.
 
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
 #include "runtime/cli/io.h"
 #include "runtime/cli/program.h"
+#include "runtime/evolve/individual.h"
+#include "runtime/scenario.h"
 
 namespace plsc::cli {
 
@@ -18,18 +21,37 @@ struct RobotAsked {
   std::string individual;  ///< of a run, an id or "best"; else empty
   std::vector<std::string> environments;  ///< as DevelopCommand's
   bool allow_range = false;
+  /// A file, whose seasons are the environments; empty: the run's scenario, or
+  /// none.
+  std::string scenario = {};
 };
 
 struct RobotFound {
   std::string title;  ///< "climber", "robot_12 of generation 3"
   LoadedProgram loaded;
   std::vector<NamedEnvironment> environments;  ///< one at least
+  /// Of the run, or asked for; the program's environments are its seasons then.
+  std::optional<Scenario> scenario = {};
 };
 
 /// Of the built-in alphabet. Prints what is wrong, which is also the exit
 /// status. Without `environments`: all of the file, or all seasons that the
 /// robot lived to develop in.
 std::variant<RobotFound, Exit> FindRobot(const RobotAsked& asked, Io& io);
+
+/// Somebody of a run, and how it lives there.
+struct RobotOfRun {
+  Individual individual;
+  Scenario scenario;
+};
+/// By an id or "best". Prints what is wrong.
+std::variant<RobotOfRun, Exit> FindInStore(const std::string& run,
+                                           const std::string& individual,
+                                           Io& io);
+
+/// False if the file is a run and nobody of it is named, which is said.
+bool IsRobotNamed(const std::string& file, const std::string& individual,
+                  Io& io);
 
 /// What is sensed, unless the name says it.
 std::string SensesOf(const NamedEnvironment& named,

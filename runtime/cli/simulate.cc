@@ -2,6 +2,8 @@
 
 #include <filesystem>
 #include <ostream>
+#include <utility>
+#include <variant>
 
 #include "runtime/cli/commands.h"
 #include "runtime/cli/interrupt.h"
@@ -9,6 +11,7 @@
 #include "runtime/cli/output_path.h"
 #include "runtime/cli/program.h"
 #include "runtime/cli/recorded_life.h"
+#include "runtime/cli/robot_source.h"
 #include "runtime/evaluation.h"
 #include "runtime/formats/path_svg.h"
 #include "runtime/formats/recording_json.h"
@@ -133,10 +136,40 @@ void PrintSeason(const SimulateCommand& command, const SeasonLife& life,
   io.out.flush();  // a season takes a while; show each when it is done
 }
 
-Record LiveAll(const SimulateCommand& command, const Genotype& genotype,
-               const Scenario& scenario, Io& io) {
+/// Who lives, and where.
+struct ToLive {
+  Genotype genotype;
+  Scenario scenario;
+  Senses inherited;
+};
+
+std::variant<ToLive, Exit> FindInRun(const SimulateCommand& command, Io& io) {
+  auto found = FindInStore(command.file, command.individual, io);
+  if (const Exit* exit = std::get_if<Exit>(&found)) return *exit;
+  auto& [one, scenario] = std::get<RobotOfRun>(found);
+  if (command.scenario.empty())
+    return ToLive{std::move(one.genotype), std::move(scenario),
+                  std::move(one.heritage.senses)};
+  // Another world is another life, without parents.
+  auto other = LoadScenario(command.scenario, io);
+  if (!other) return Exit::kBadInput;
+  return ToLive{std::move(one.genotype), std::move(*other), {}};
+}
+
+std::variant<ToLive, Exit> Find(const SimulateCommand& command, Io& io) {
+  if (!command.individual.empty()) return FindInRun(command, io);
+  if (!IsRobotNamed(command.file, "", io)) return Exit::kBadUsage;
+  auto program = LoadProgram(command.file, false, io);
+  if (!program) return Exit::kBadInput;
+  auto scenario = LoadScenario(command.scenario, io);
+  if (!scenario) return Exit::kBadInput;
+  return ToLive{std::move(program->genotype), std::move(*scenario), {}};
+}
+
+Record LiveAll(const SimulateCommand& command, const ToLive& one, Io& io) {
+  const auto& [genotype, scenario, inherited] = one;
   const bool is_recording = !command.record.empty() || !command.svg.empty();
-  RecordedLife lived(genotype, scenario, {}, is_recording, io);
+  RecordedLife lived(genotype, scenario, inherited, is_recording, io);
   Record record;
   while (!lived.is_over()) {
     const SeasonLife life = lived.Next();
@@ -155,29 +188,27 @@ Record LiveAll(const SimulateCommand& command, const Genotype& genotype,
 }  // namespace
 
 Exit Run(const SimulateCommand& command, Io& io) {
-  const auto program = LoadProgram(command.file, false, io);
-  if (!program) return Exit::kBadInput;
-  const Genotype& genotype = program->genotype;
-  const auto scenario = LoadScenario(command.scenario, io);
-  if (!scenario || !CanLive(*scenario, genotype, io) ||
+  const auto found = Find(command, io);
+  if (const Exit* exit = std::get_if<Exit>(&found)) return *exit;
+  const auto& [genotype, scenario, inherited] = std::get<ToLive>(found);
+  if (!CanLive(scenario, genotype, io) ||
       !CanWrite(command.record, {command.file, command.scenario}, io) ||
       !CanWrite(command.svg, {command.file, command.scenario}, io))
     return Exit::kBadInput;
 
   if (command.format == OutputFormat::kText) {
-    io.out << fmt::format(
-        "{} in scenario {} (profile {})\n", genotype.name,
-        scenario->name.empty() ? "of no name" : scenario->name,
-        ProfileName(scenario->profile));
+    io.out << fmt::format("{} in scenario {} (profile {})\n", genotype.name,
+                          scenario.name.empty() ? "of no name" : scenario.name,
+                          ProfileName(scenario.profile));
     PrintHeader(io.out);
   }
   // Samples mean nothing without the constants that they were made with.
   const std::string& folder = command.trajectory_folder;
   if (!folder.empty() &&
-      !WriteInto(folder, "scenario.yaml", PrintScenario(*scenario), io))
+      !WriteInto(folder, "scenario.yaml", PrintScenario(scenario), io))
     return Exit::kBadInput;
   const InterruptHandler handler;
-  const Record record = LiveAll(command, genotype, *scenario, io);
+  const Record record = LiveAll(command, std::get<ToLive>(found), io);
   if (command.descriptors && command.format == OutputFormat::kText)
     PrintDescriptors(record.results, io.out);
   bool is_written = record.is_written;

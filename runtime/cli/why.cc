@@ -3,10 +3,12 @@
 
 #include <nlohmann/json.hpp>
 #include <ostream>
+#include <variant>
 
 #include "compiler/print.h"
 #include "runtime/cli/commands.h"
 #include "runtime/cli/program.h"
+#include "runtime/cli/robot_source.h"
 #include "runtime/formats/environment_json.h"
 #include "runtime/formats/history_text.h"
 #include "runtime/formats/provenance_json.h"
@@ -131,6 +133,22 @@ struct Question {
   std::optional<SymbolPlace> place;
 };
 
+// Of a file, or of a run, whose seasons are the environments then.
+std::variant<LoadedProgram, Exit> Load(const WhyCommand& command,
+                                       const FileAndPlace& from, Io& io) {
+  if (!IsRobotNamed(from.file, command.individual, io)) return Exit::kBadUsage;
+  if (command.individual.empty()) {
+    auto loaded = LoadWithMap(from.file, command.allow_range, io, from.place);
+    if (!loaded) return Exit::kBadInput;
+    return std::move(*loaded);
+  }
+  auto found = FindRobot({from.file, command.individual, command.environments,
+                          command.allow_range},
+                         io);
+  if (const Exit* exit = std::get_if<Exit>(&found)) return *exit;
+  return std::move(std::get<RobotFound>(found).loaded);
+}
+
 Exit Explain(const LoadedProgram& loaded, const Question& question,
              const WhyCommand& command, Io& io) {
   const Program& program = loaded.mapped.program;
@@ -177,20 +195,20 @@ Exit Run(const WhyCommand& command, Io& io) {
               "--edge\nsee 'plsc why --help'\n";
     return Exit::kBadUsage;
   }
-  const auto loaded =
-      LoadWithMap(from.file, command.allow_range, io, from.place);
-  if (!loaded) return Exit::kBadInput;
-  const Genotype& genotype = loaded->mapped.program.genotype;
+  const auto found = Load(command, from, io);
+  if (const Exit* exit = std::get_if<Exit>(&found)) return *exit;
+  const auto& loaded = std::get<LoadedProgram>(found);
+  const Genotype& genotype = loaded.mapped.program.genotype;
   if (question.part && !genotype.alphabet->is_built_in()) {
     io.err << fmt::format("error: alphabet '{}' has no bodies to ask about\n",
                           genotype.alphabet->name());
     return Exit::kBadUsage;
   }
   if (from.place) {
-    question.place = FindPlace(*loaded, *from.place, io);
+    question.place = FindPlace(loaded, *from.place, io);
     if (!question.place) return Exit::kBadUsage;
   }
-  return Explain(*loaded, question, command, io);
+  return Explain(loaded, question, command, io);
 }
 
 }  // namespace plsc::cli

@@ -17,9 +17,13 @@ namespace plsc {
 namespace {
 
 constexpr int kFormat = 1;  // of experiment files, value of plsc_experiment
-// Sizes beyond which a number is a slip of the pen: a population this large
-// would take months a generation.
-constexpr int kMaxPopulation = 1'000'000;
+// Robots that are held in memory, 10 KB each, and compared each with each when
+// they are selected, minutes for so many.
+constexpr int kMaxPopulation = 100'000;
+// Symbols of all genotypes, 40 bytes each: 2 GB. Random genotypes have somewhat
+// less than the most that their options allow, evolved ones somewhat more.
+constexpr double kMaxGenotypes = 50e6;
+// Sizes beyond which a number is a slip of the pen.
 constexpr int kMaxGenerations = 1'000'000;
 constexpr int kMaxTournament = 1000;
 constexpr int kMaxGroups = 1000;
@@ -233,6 +237,50 @@ void ReadScenarioOf(YamlMap& map, Experiment& experiment) {
   }
 }
 
+int ReadPopulation(YamlMap& map, const char* key, int otherwise, int least) {
+  const auto value = map.Find(key);
+  if (!value) return otherwise;
+  using Limits = std::numeric_limits<std::int64_t>;
+  const auto number = value->Integer(Limits::min(), Limits::max());
+  if (!number) return otherwise;
+  if (*number >= least && *number <= kMaxPopulation)
+    return static_cast<int>(*number);
+  value->Report("P5104",
+                fmt::format("expected a whole number of {} to {}, found {}",
+                            least, kMaxPopulation, *number),
+                *number > kMaxPopulation
+                    ? "all robots of a generation are held in memory, and "
+                      "each is compared with each; more generations cost "
+                      "neither"
+                    : "");
+  return otherwise;
+}
+
+/// The most that Initialise draws.
+double LargestGenotype(const GenotypeOptions& options) {
+  // Of each of the symbols that have rules, groups of five symbols a rule, and
+  // one more where its head stands in front.
+  const auto heads = PlasticodingAlphabet()->OfCategory(Category::kModule);
+  const double rules =
+      static_cast<double>(heads.size()) *
+      (options.encoding == Encoding::kPlasticoding ? options.max_rules : 1);
+  return rules * (5.0 * options.max_groups + 1);
+}
+
+void CheckSize(const YamlValue& place, const Experiment& experiment) {
+  const double robots =
+      static_cast<double>(experiment.population) + experiment.offspring;
+  const double largest = LargestGenotype(experiment.genotype);
+  if (robots * largest <= kMaxGenotypes) return;
+  place.Report(
+      "P5108",
+      fmt::format(
+          "{} robots of up to {:.0f} symbols each are more than the {:.0f} "
+          "symbols that memory is meant for",
+          robots, largest, kMaxGenotypes),
+      "make 'population', 'offspring', 'max_rules' or 'max_groups' smaller");
+}
+
 void CheckTogether(YamlMap& map, const Experiment& experiment) {
   const auto place = [&](std::string_view key) {
     return map.Find(key).value_or(map.place());
@@ -241,6 +289,7 @@ void CheckTogether(YamlMap& map, const Experiment& experiment) {
     place("generations")
         .Report("P5108", fmt::format("{} robots are more than can be numbered",
                                      Evaluations(experiment)));
+  CheckSize(place("population"), experiment);
   if (!experiment.scenario_file.empty()) return;
   for (const Diagnostic& error : CheckSenses(experiment))
     place("scenario").Report(error.code, error.message, error.help);
@@ -328,9 +377,9 @@ Experiment ReadExperiment(YamlMap& map) {
   if (const auto robots = map.Find("robots"))
     experiment.robots = ReadName(*robots, "a name").value_or(experiment.robots);
   experiment.population =
-      map.Int("population", experiment.population, 2, kMaxPopulation);
+      ReadPopulation(map, "population", experiment.population, 2);
   experiment.offspring =
-      map.Int("offspring", experiment.offspring, 1, kMaxPopulation);
+      ReadPopulation(map, "offspring", experiment.offspring, 1);
   experiment.generations =
       map.Int("generations", experiment.generations, 1, kMaxGenerations);
   experiment.mutation =

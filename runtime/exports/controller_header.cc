@@ -56,11 +56,26 @@ constexpr const char* kUse = R"( *
  *   speed = @_speed(outputs[j], angle[j]);
  *
  * for each joint j, whose motor holds that speed, rad/s, with up to
- * @_max_torque N m until the next time. plsc runs that
- * (`controller: coupled`). _oscillate in place of _update leaves touch and
- * loops out (`controller: open_loop`). For motors that take angles, _target is
- * the angle that a servo strives for.
+ * @_max_torque N m until the next time.
+ * That is `controller: coupled`. @_oscillate(time, outputs)
+ * in place of _update leaves touch and loops out (`controller: open_loop`).
+ * For motors that take angles, _target is the angle that a servo strives for.
 )";
+
+/// Which of the two plsc ran, and when.
+std::string Mode(const SimulationOptions& options) {
+  const bool is_coupled = options.controller == ControllerMode::kCoupled;
+  std::string text = fmt::format(
+      " *\n * plsc ran `controller: {}`, which is @_{}.\n",
+      ControllerName(options.controller), is_coupled ? "update" : "oscillate");
+  if (options.servo.refresh == Refresh::kLate)
+    text += fmt::format(
+        " * It did so with `refresh: late`: not at these times but at the "
+        "first step of\n * {} s that is more than 1 / @_update_rate after "
+        "the time before,\n * joints held until the first.\n",
+        options.physics.step);
+  return text;
+}
 
 constexpr const char* kTypes = R"(
 /* The length of outputs; not 0, as C has no empty arrays. */
@@ -222,12 +237,12 @@ std::string NamesInC(const RobotModel& model) {
 
 std::string ControllerHeader(const RobotModel& model) {
   const ControllerTables tables = TablesOf(model);
-  const std::string body = kUse + Lists(model, tables) + " */\n" +
-                           "#ifndef @_CONTROLLER_H\n#define @_CONTROLLER_H\n\n"
-                           "#include <math.h>\n\n" +
-                           Sizes(model, tables) + kTypes +
-                           Constants(model.options.servo) + Tables(tables) +
-                           kFunctions + "\n#endif\n";
+  const std::string body =
+      kUse + Mode(model.options) + Lists(model, tables) + " */\n" +
+      "#ifndef @_CONTROLLER_H\n#define @_CONTROLLER_H\n\n"
+      "#include <math.h>\n\n" +
+      Sizes(model, tables) + kTypes + Constants(model.options.servo) +
+      Tables(tables) + kFunctions + "\n#endif\n";
   return "/* " + InComment(NotesOn(model)) + "\n" +
          Named(body, NamesInC(model));
 }

@@ -63,6 +63,10 @@ Json Formulas() {
        "the sensor is touched; then clamped to 0..1"},
       {"open_loop_output", "oscillation"},
       {"target", "-range + 2 range * output clamped to min_output..max_output"},
+      {"refresh",
+       "exact: at the steps of the simulation nearest to k / update_rate, the "
+       "first at birth; late: at the first step that is more than 1 / "
+       "update_rate after the update before, joints held until the first"},
       {"speed", "gain * (target - angle) clamped to -max_speed..max_speed"}};
 }
 
@@ -83,8 +87,7 @@ Json ControllerValue(const RobotModel& model) {
   Json edges = Json::array();
   for (const TableEdge& edge : tables.edges)
     edges.push_back(EdgeValue(tables, edge));
-  const bool is_coupled = model.options.controller == ControllerMode::kCoupled;
-  return {{"controller", is_coupled ? "coupled" : "open_loop"},
+  return {{"controller", ControllerName(model.options.controller)},
           {"joints", model.joints},
           {"inputs", tables.inputs},
           {"oscillators", std::move(oscillators)},
@@ -92,6 +95,7 @@ Json ControllerValue(const RobotModel& model) {
           {"rest_output", kRestOutput},
           {"servo",
            {{"update_rate", servo.update_rate},
+            {"refresh", RefreshName(servo.refresh)},
             {"range", servo.range},
             {"min_output", kMinOutput},
             {"max_output", kMaxOutput},

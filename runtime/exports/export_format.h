@@ -36,7 +36,16 @@ inline constexpr std::array<FormatNames, 7> kExportFormats{
      {ExportFormat::kControllerJson, "controller-json", "controller.json"},
      {ExportFormat::kControllerC, "controller-c", "h"}}};
 
+std::string_view NameOf(ExportFormat format);
 std::string_view EndingOf(ExportFormat format);
+
+/// What of the robot's world and constants a file of that format, with a
+/// floor, leaves out although they are not the default profile's: "the ground,
+/// gravity". Empty if nothing; brains alone have no world.
+std::string LeftOut(ExportFormat format, const RobotModel& model);
+
+/// Whether its files name parts, which a prefix can go before.
+bool HasNames(ExportFormat format);
 
 /// The whole file. Surroundings matter to MJCF and SDFormat.
 std::string ExportText(ExportFormat format, const RobotModel& model,

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 
+#include "runtime/exports/mjcf_ground.h"
 #include "runtime/exports/number_text.h"
 #include "runtime/exports/xml_text.h"
 
@@ -12,6 +13,10 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using Attributes = std::vector<std::pair<std::string, std::string>>;
+
+constexpr const char* kAloneNotes =
+    "\nThe motors are stiff: a world with this robot needs <option "
+    "integrator=\"implicit\"/>.";
 
 constexpr const char* kNotes =
     "The control of an actuator is that speed.\n"
@@ -31,6 +36,12 @@ std::string Range(double limit) {
   return NumberText(-limit) + " " + NumberText(limit);
 }
 
+/// Of our elements alone: a world that includes the robot has its own.
+std::string ClassOf(const RobotModel& model) {
+  return model.prefix + "plsc";
+}
+
+/// Turns without angles, which a compiler takes for degrees or radians.
 void AddPose(const Vector3d& position, const Matrix3d& axes,
              Attributes& attributes) {
   attributes.emplace_back("pos", NumbersText(position));
@@ -52,7 +63,7 @@ XmlElement Geom(const RobotModel& model, const Box& box,
   const Body& body = model.phenotype.body;
   const auto colour =
       AuthorsColour(body.modules[static_cast<std::size_t>(box.module)].type);
-  XmlElement geom{"geom", {{"name", BoxName(body, box)}, {"type", "box"}}};
+  XmlElement geom{"geom", {{"name", BoxName(model, box)}, {"type", "box"}}};
   geom.attributes.emplace_back("size", NumbersText(box.size / 2));
   AddPose(box.centre - frame, box.axes, geom.attributes);
   geom.attributes.emplace_back(
@@ -103,25 +114,70 @@ XmlElement Hinged(const RobotModel& model, std::size_t hinge) {
   return body;
 }
 
-XmlElement Defaults(const RobotModel& model) {
+/// Every attribute that defaults of the including world could change.
+XmlElement GeomDefaults(const PhysicsOptions& physics) {
+  return {"geom",
+          {{"contype", "1"},
+           {"conaffinity", "1"},
+           {"condim", "3"},
+           {"group", "0"},
+           {"priority", "0"},
+           {"margin", "0"},
+           {"gap", "0"},
+           // The others are of friction that condim 3 does not have.
+           {"friction", NumberText(physics.friction) + " 0.005 0.0001"}}};
+}
+
+/// In a world of the user's the joint has no range, which the compiler would
+/// take for degrees or radians as the world says. A tendon of nothing but the
+/// joint has its length in radians in any world.
+XmlElement JointDefaults(const ServoOptions& servo, Surroundings surroundings) {
+  XmlElement joint{"joint",
+                   {{"type", "hinge"},
+                    {"stiffness", "0"},
+                    {"damping", "0"},
+                    {"frictionloss", "0"},
+                    {"armature", "0"},
+                    {"margin", "0"}}};
+  const bool is_limited = surroundings == Surroundings::kFloor;
+  joint.attributes.emplace_back("limited", is_limited ? "true" : "false");
+  if (is_limited) joint.attributes.emplace_back("range", Range(servo.range));
+  return joint;
+}
+
+XmlElement Defaults(const RobotModel& model, Surroundings surroundings) {
   const ServoOptions& servo = model.options.servo;
-  return {"default",
-          {},
-          {{"geom",
-            {{"condim", "3"},
-             // The others are of friction that condim 3 does not have.
-             {"friction",
-              NumberText(model.options.physics.friction) + " 0.005 0.0001"}}},
-           {"joint",
-            {{"type", "hinge"},
-             {"limited", "true"},
-             {"range", Range(servo.range)}}},
-           {"velocity",
-            {{"kv", NumberText(MotorGain(servo))},
-             {"ctrllimited", "true"},
-             {"ctrlrange", Range(servo.max_speed)},
-             {"forcelimited", "true"},
-             {"forcerange", Range(servo.max_torque)}}}}};
+  const XmlElement tendon{"tendon",
+                          {{"limited", "true"},
+                           {"range", Range(servo.range)},
+                           {"stiffness", "0"},
+                           {"damping", "0"},
+                           {"frictionloss", "0"},
+                           {"margin", "0"}}};
+  XmlElement ours{"default",
+                  {{"class", ClassOf(model)}},
+                  {GeomDefaults(model.options.physics),
+                   JointDefaults(servo, surroundings)}};
+  if (surroundings == Surroundings::kNone) ours.children.push_back(tendon);
+  ours.children.push_back({"velocity",
+                           {{"kv", NumberText(MotorGain(servo))},
+                            {"gear", "1"},
+                            {"ctrllimited", "true"},
+                            {"ctrlrange", Range(servo.max_speed)},
+                            {"forcelimited", "true"},
+                            {"forcerange", Range(servo.max_torque)}}});
+  return {"default", {}, {std::move(ours)}};
+}
+
+/// Limits of joints in a world of the user's.
+XmlElement Limits(const RobotModel& model) {
+  XmlElement tendon{"tendon"};
+  for (const std::string& joint : model.joints)
+    tendon.children.push_back(
+        {"fixed",
+         {{"name", joint + "_limit"}, {"class", ClassOf(model)}},
+         {{"joint", {{"joint", joint}, {"coef", "1"}}}}});
+  return tendon;
 }
 
 /// Links that share a hinge, as in our simulation.
@@ -138,8 +194,10 @@ XmlElement Excluded(const RobotModel& model) {
 XmlElement Actuators(const RobotModel& model) {
   XmlElement actuator{"actuator"};
   for (std::size_t i = 0; i < model.joints.size(); ++i)
-    actuator.children.push_back(
-        {"velocity", {{"name", model.servos[i]}, {"joint", model.joints[i]}}});
+    actuator.children.push_back({"velocity",
+                                 {{"name", model.servos[i]},
+                                  {"class", ClassOf(model)},
+                                  {"joint", model.joints[i]}}});
   return actuator;
 }
 
@@ -148,10 +206,8 @@ XmlElement Sensors(const RobotModel& model) {
       "sensor",
       {},
       {{"accelerometer",
-        {{"name", std::string(kImuName) + "_acceleration"},
-         {"site", kImuName}}},
-       {"gyro",
-        {{"name", std::string(kImuName) + "_spin"}, {"site", kImuName}}}}};
+        {{"name", model.imu + "_acceleration"}, {"site", model.imu}}},
+       {"gyro", {{"name", model.imu + "_spin"}, {"site", model.imu}}}}};
   for (const TouchSensor& touch : model.touch_sensors)
     sensor.children.push_back(
         {"touch", {{"name", touch.name}, {"site", touch.name}}});
@@ -162,29 +218,15 @@ XmlElement Sensors(const RobotModel& model) {
 }
 
 XmlElement Core(const RobotModel& model) {
-  XmlElement core{"body", {{"name", model.links[0]}}};
+  XmlElement core{"body",
+                  {{"name", model.links[0]}, {"childclass", ClassOf(model)}}};
   AddPose(model.start.position, model.start.axes, core.attributes);
-  core.children.push_back({"freejoint", {{"name", "root"}}});
+  core.children.push_back({"freejoint", {{"name", model.prefix + "root"}}});
   // Of no mass and no contact; the sensors' frame.
-  core.children.push_back({"site", {{"name", kImuName}, {"size", "0.005"}}});
+  core.children.push_back(
+      {"site", {{"name", model.imu}, {"type", "sphere"}, {"size", "0.005"}}});
   FillBody(model, 0, core);
   return core;
-}
-
-XmlElement WorldElement(const RobotModel& model, Surroundings surroundings) {
-  XmlElement world{"worldbody"};
-  if (surroundings == Surroundings::kFloor) {
-    world.children.push_back(
-        {"light", {{"pos", "0 0 3"}, {"directional", "true"}}});
-    // A plane's collisions have no end; the sizes are what is drawn.
-    world.children.push_back({"geom",
-                              {{"name", "floor"},
-                               {"type", "plane"},
-                               {"size", "5 5 0.1"},
-                               {"rgba", "0.8 0.85 0.8 1"}}});
-  }
-  world.children.push_back(Core(model));
-  return world;
 }
 
 /// Implicit, as the stiff motors ask for; the step is ours.
@@ -198,19 +240,29 @@ XmlElement Options(const PhysicsOptions& physics) {
 }  // namespace
 
 std::string Mjcf(const RobotModel& model, Surroundings surroundings) {
+  const bool has_floor = surroundings == Surroundings::kFloor;
   XmlElement root{"mujoco",
                   {{"model", model.name + " in " + model.environment}}};
-  root.children.push_back(XmlComment(NotesOn(model) + "\n" + kNotes));
-  root.children.push_back({"compiler", {{"angle", "radian"}}});
-  if (surroundings == Surroundings::kFloor)
-    root.children.push_back(Options(model.options.physics));
-  root.children.push_back(Defaults(model));
-  root.children.push_back(WorldElement(model, surroundings));
-  if (!model.joints.empty()) {
-    root.children.push_back(Excluded(model));
-    root.children.push_back(Actuators(model));
+  auto& parts = root.children;
+  parts.push_back(XmlComment(NotesOn(model) + "\n" + kNotes +
+                             (has_floor ? "" : kAloneNotes)));
+  XmlElement world{"worldbody"};
+  if (has_floor) {
+    parts.push_back({"compiler", {{"angle", "radian"}}});
+    parts.push_back(Options(model.options.physics));
+    MjcfGround ground = GroundInMjcf(model);
+    if (ground.asset) parts.push_back(std::move(*ground.asset));
+    world.children = std::move(ground.geoms);
   }
-  root.children.push_back(Sensors(model));
+  parts.push_back(Defaults(model, surroundings));
+  world.children.push_back(Core(model));
+  parts.push_back(std::move(world));
+  if (!model.joints.empty()) {
+    parts.push_back(Excluded(model));
+    if (!has_floor) parts.push_back(Limits(model));
+    parts.push_back(Actuators(model));
+  }
+  parts.push_back(Sensors(model));
   return PrintXml(root);
 }
 

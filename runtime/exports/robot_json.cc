@@ -3,7 +3,10 @@
 #include <nlohmann/json.hpp>
 
 #include "runtime/exports/controller_json.h"
+#include "runtime/exports/exported_ground.h"
 #include "runtime/recording.h"
+#include "runtime/scenario_terrain.h"
+#include "sim/ground.h"
 
 namespace plsc {
 
@@ -24,9 +27,10 @@ Json MatrixValue(const Matrix3d& m) {
       {VectorValue(m.row(0)), VectorValue(m.row(1)), VectorValue(m.row(2))});
 }
 
-Json BoxValue(const Body& body, const Box& box) {
+Json BoxValue(const RobotModel& model, const Box& box) {
+  const Body& body = model.phenotype.body;
   const Module& module = body.modules[static_cast<std::size_t>(box.module)];
-  return {{"name", BoxName(body, box)},
+  return {{"name", BoxName(model, box)},
           {"module", ModuleId(body, box.module)},
           {"module_type", ModuleName(module.type)},
           {"part", PartName(box.part)},
@@ -40,8 +44,7 @@ Json BoxValue(const Body& body, const Box& box) {
 Json LinkValue(const RobotModel& model, std::size_t index) {
   const Link& link = model.assembly.links[index];
   Json boxes = Json::array();
-  for (const Box& box : link.boxes)
-    boxes.push_back(BoxValue(model.phenotype.body, box));
+  for (const Box& box : link.boxes) boxes.push_back(BoxValue(model, box));
   return {{"name", model.links[index]},
           {"mass", link.mass},
           {"centre_of_mass", VectorValue(link.centre)},
@@ -70,7 +73,7 @@ Json JointValue(const RobotModel& model, std::size_t index) {
 
 Json SensorsValue(const RobotModel& model) {
   Json sensors = Json::array();
-  sensors.push_back({{"name", kImuName},
+  sensors.push_back({{"name", model.imu},
                      {"type", "imu"},
                      {"link", model.links[0]},
                      {"position", VectorValue(Vector3d::Zero())}});
@@ -79,17 +82,64 @@ Json SensorsValue(const RobotModel& model) {
     sensors.push_back({{"name", touch.name},
                        {"type", "touch"},
                        {"link", model.links[touch.link]},
-                       {"box", BoxName(model.phenotype.body, box)}});
+                       {"box", BoxName(model, box)}});
   }
   return sensors;
 }
 
 Json PhysicsValue(const PhysicsOptions& physics) {
-  return {{"step", physics.step},           {"gravity", physics.gravity},
-          {"friction", physics.friction},   {"slip", physics.slip},
-          {"robot_kp", physics.robot_kp},   {"robot_kd", physics.robot_kd},
-          {"ground_kp", physics.ground_kp}, {"ground_kd", physics.ground_kd},
-          {"damping", physics.damping}};
+  // All of them: a constant more is to be written, too.
+  static_assert(sizeof(PhysicsOptions) == 144);
+  const bool is_direct = physics.solver == Solver::kDirect;
+  return {{"step", physics.step},
+          {"solver", is_direct ? "direct" : "iterative"},
+          {"solver_iterations", physics.solver_iterations},
+          {"max_direct_links", physics.max_direct_links},
+          {"gravity", physics.gravity},
+          {"world_erp", physics.world_erp},
+          {"world_cfm", physics.world_cfm},
+          {"friction", physics.friction},
+          {"slip", physics.slip},
+          {"robot_kp", physics.robot_kp},
+          {"robot_kd", physics.robot_kd},
+          {"ground_kp", physics.ground_kp},
+          {"ground_kd", physics.ground_kd},
+          {"damping", physics.damping},
+          {"correcting_speed", physics.correcting_speed},
+          {"surface_layer", physics.surface_layer},
+          {"max_speed", physics.max_speed},
+          {"max_spin", physics.max_spin},
+          {"max_solver_failures", physics.max_solver_failures}};
+}
+
+Json HeightsValue(const ExportedGround& ground) {
+  Json rows = Json::array();
+  for (Eigen::Index row = 0; row < ground.heights.rows(); ++row) {
+    Json& values = rows.emplace_back(Json::array());
+    for (Eigen::Index column = 0; column < ground.heights.cols(); ++column)
+      values.push_back(ground.heights(row, column));
+  }
+  return rows;
+}
+
+Json BoxesValue(const ExportedGround& ground) {
+  Json boxes = Json::array();
+  for (const StaticBox& box : ground.boxes)
+    boxes.push_back(
+        {{"centre", VectorValue(box.centre)}, {"size", VectorValue(box.size)}});
+  return boxes;
+}
+
+/// The plane, and what rises from it.
+Json GroundValue(const Terrain& terrain) {
+  const ExportedGround ground = GroundOf(terrain);
+  Json value{{"type", TerrainName(terrain.type)},
+             {"scenario", PrintTerrain(terrain)},
+             {"normal", VectorValue(GroundNormal(terrain))}};
+  if (ground.reach > 0) value["reach"] = ground.reach;
+  if (ground.heights.size() > 0) value["heights"] = HeightsValue(ground);
+  if (!ground.boxes.empty()) value["boxes"] = BoxesValue(ground);
+  return value;
 }
 
 }  // namespace
@@ -117,6 +167,7 @@ std::string RobotJson(const RobotModel& model) {
                        {"joints", std::move(joints)},
                        {"sensors", SensorsValue(model)},
                        {"never_collide", std::move(apart)},
+                       {"ground", GroundValue(model.terrain)},
                        {"physics", PhysicsValue(model.options.physics)},
                        {"controller", ControllerValue(model)}});
 }

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "runtime/evaluation.h"
+#include "runtime/exports/exported_ground.h"
 #include "runtime/recording.h"
 #include "runtime/scenario_profile.h"
 
@@ -21,8 +22,9 @@ void AddTouchSensors(RobotModel& model) {
       const Box& one = links[link].boxes[box];
       if (one.part == Part::kSensor)
         by_module[static_cast<std::size_t>(one.module)] = {
-            "touch_" + ModuleId(model.phenotype.body, one.module), one.module,
-            link, box};
+            model.prefix + "touch_" +
+                ModuleId(model.phenotype.body, one.module),
+            one.module, link, box};
     }
   for (TouchSensor& sensor : by_module)
     if (!sensor.name.empty()) model.touch_sensors.push_back(std::move(sensor));
@@ -31,20 +33,23 @@ void AddTouchSensors(RobotModel& model) {
 }  // namespace
 
 RobotModel ModelOf(const RobotTitle& title, const Phenotype& phenotype,
-                   const SimulationOptions& options) {
+                   const SimulationOptions& options, const Terrain& terrain) {
   RobotModel model;
   model.name = title.name;
   model.environment = title.environment;
+  model.prefix = title.prefix;
   model.phenotype = phenotype;
   model.assembly = Assemble(phenotype.body);
   model.options = options;
-  model.start = StartOf(model.assembly, Terrain{}, options, {});
-  model.links.emplace_back("core");
+  model.terrain = terrain;
+  model.start = StartOf(model.assembly, terrain, options, {});
+  model.imu = model.prefix + "imu";
+  model.links.push_back(model.prefix + "core");
   for (const Hinge& hinge : model.assembly.hinges) {
     const std::string id = ModuleId(phenotype.body, hinge.module);
-    model.links.push_back("link_" + id);
-    model.joints.push_back("joint_" + id);
-    model.servos.push_back("servo_" + id);
+    model.links.push_back(model.prefix + "link_" + id);
+    model.joints.push_back(model.prefix + "joint_" + id);
+    model.servos.push_back(model.prefix + "servo_" + id);
   }
   AddTouchSensors(model);
   return model;
@@ -57,6 +62,10 @@ SimulationOptions ExportedOptions() {
 
 std::string BoxName(const Body& body, const Box& box) {
   return std::string(PartName(box.part)) + "_" + ModuleId(body, box.module);
+}
+
+std::string BoxName(const RobotModel& model, const Box& box) {
+  return model.prefix + BoxName(model.phenotype.body, box);
 }
 
 Eigen::Vector3d FrameOf(const Assembly& assembly, std::size_t link) {
@@ -81,16 +90,30 @@ std::array<double, 3> AuthorsColour(ModuleType type) {
   return {};
 }
 
+std::string_view ControllerName(ControllerMode mode) {
+  return mode == ControllerMode::kCoupled ? "coupled" : "open_loop";
+}
+
+std::string_view RefreshName(Refresh refresh) {
+  return refresh == Refresh::kExact ? "exact" : "late";
+}
+
 std::string NotesOn(const RobotModel& model) {
   const ServoOptions& servo = model.options.servo;
+  const PhysicsOptions& physics = model.options.physics;
   return fmt::format(
       "Robot {}, developed in {}; written by plsc export.\n"
       "Metres, kilograms, seconds, radians; x right, y front, z up.\n"
       "A servo's motor holds a speed with up to {} N m. plsc sets that speed\n"
       "{} times a second to {} (target - angle), -{} to {} rad/s; targets\n"
-      "are in the exports controller-c and controller-json.",
+      "are in the exports controller-c and controller-json; the controller is\n"
+      "{}.\n"
+      "Simulated on {}, gravity {} m/s2,\n"
+      "friction {}, in steps of {} s.",
       model.name, model.environment, servo.max_torque, servo.update_rate,
-      servo.gain, servo.max_speed, servo.max_speed);
+      servo.gain, servo.max_speed, servo.max_speed,
+      ControllerName(model.options.controller), GroundText(model.terrain),
+      physics.gravity, physics.friction, physics.step);
 }
 
 }  // namespace plsc

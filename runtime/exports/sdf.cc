@@ -2,8 +2,11 @@
 
 #include <cstddef>
 
+#include "runtime/exports/exported_ground.h"
 #include "runtime/exports/number_text.h"
 #include "runtime/exports/xml_text.h"
+#include "runtime/scenario_terrain.h"
+#include "sim/ground.h"
 
 namespace plsc {
 
@@ -74,16 +77,16 @@ XmlElement Coloured(const std::array<double, 3>& colour) {
 XmlElement Shape(const char* kind, const RobotModel& model, const Box& box,
                  const Vector3d& frame) {
   return {kind,
-          {{"name", BoxName(model.phenotype.body, box)}},
+          {{"name", BoxName(model, box)}},
           {Pose(box.centre - frame, box.axes),
            {"geometry",
             {},
             {{"box", {}, {XmlText("size", NumbersText(box.size))}}}}}};
 }
 
-XmlElement Imu() {
+XmlElement Imu(const RobotModel& model) {
   return {"sensor",
-          {{"name", kImuName}, {"type", "imu"}},
+          {{"name", model.imu}, {"type", "imu"}},
           {XmlText("always_on", "true")}};
 }
 
@@ -92,19 +95,21 @@ XmlElement ContactSensor(const RobotModel& model, const TouchSensor& touch) {
   return {"sensor",
           {{"name", touch.name}, {"type", "contact"}},
           {XmlText("always_on", "true"),
-           {"contact",
-            {},
-            {XmlText("collision", BoxName(model.phenotype.body, box))}}}};
+           {"contact", {}, {XmlText("collision", BoxName(model, box))}}}};
 }
 
 XmlElement LinkOf(const RobotModel& model, std::size_t index) {
   const Link& link = model.assembly.links[index];
   const PhysicsOptions& physics = model.options.physics;
   const Vector3d frame = FrameOf(model.assembly, index);
-  XmlElement element{
-      "link",
-      {{"name", model.links[index]}},
-      {Pose(frame, Matrix3d::Identity()), Inertial(link, frame)}};
+  XmlElement element{"link",
+                     {{"name", model.links[index]}},
+                     {Pose(frame, Matrix3d::Identity()),
+                      Inertial(link, frame),
+                      {"velocity_decay",
+                       {},
+                       {Number("linear", physics.damping),
+                        Number("angular", physics.damping)}}}};
   for (const Box& box : link.boxes) {
     const auto module = static_cast<std::size_t>(box.module);
     XmlElement seen = Shape("visual", model, box, frame);
@@ -116,7 +121,7 @@ XmlElement LinkOf(const RobotModel& model, std::size_t index) {
     element.children.push_back(std::move(seen));
     element.children.push_back(std::move(felt));
   }
-  if (index == 0) element.children.push_back(Imu());
+  if (index == 0) element.children.push_back(Imu(model));
   for (const TouchSensor& touch : model.touch_sensors)
     if (touch.link == index)
       element.children.push_back(ContactSensor(model, touch));
@@ -182,46 +187,83 @@ XmlElement ModelElement(const RobotModel& model) {
 // No genotype has a hyphen in its name.
 constexpr const char* kGroundName = "ground-plane";
 
-XmlElement Ground(const PhysicsOptions& physics) {
+/// One shape of the ground, felt and seen.
+void AddGround(const std::string& name, const XmlElement& pose,
+               const XmlElement& geometry, const PhysicsOptions& physics,
+               XmlElement& link) {
+  link.children.push_back(
+      {"collision",
+       {{"name", name}},
+       {pose, geometry,
+        Surface(physics, {physics.ground_kp, physics.ground_kd})}});
+  link.children.push_back({"visual",
+                           {{"name", name}},
+                           {pose, geometry, Coloured({0.8, 0.85, 0.8})}});
+}
+
+/// SDFormat has no height fields but pictures in files of their own: of rough
+/// ground only the plane.
+XmlElement Ground(const RobotModel& model) {
+  const PhysicsOptions& physics = model.options.physics;
+  XmlElement link{"link", {{"name", "ground"}}};
   const XmlElement plane{
       "geometry",
       {},
       {{"plane",
         {},
-        {XmlText("normal", "0 0 1"), XmlText("size", "100 100")}}}};
+        {XmlText("normal", NumbersText(GroundNormal(model.terrain))),
+         XmlText("size", "100 100")}}}};
+  const Matrix3d upright = Matrix3d::Identity();
+  AddGround("ground", Pose(Vector3d::Zero(), upright), plane, physics, link);
+  int number = 0;
+  for (const StaticBox& box : GroundOf(model.terrain).boxes)
+    AddGround("box_" + std::to_string(++number), Pose(box.centre, upright),
+              {"geometry",
+               {},
+               {{"box", {}, {XmlText("size", NumbersText(box.size))}}}},
+              physics, link);
+  return {"model",
+          {{"name", kGroundName}},
+          {XmlText("static", "true"), std::move(link)}};
+}
+
+/// ODE's constants, where the engine is ODE.
+XmlElement Physics(const PhysicsOptions& physics) {
+  const char* solver = physics.solver == Solver::kDirect ? "world" : "quick";
   return {
-      "model",
-      {{"name", kGroundName}},
-      {XmlText("static", "true"),
-       {"link",
-        {{"name", "ground"}},
-        {{"collision",
-          {{"name", "ground"}},
-          {plane, Surface(physics, {physics.ground_kp, physics.ground_kd})}},
-         {"visual",
-          {{"name", "ground"}},
-          {plane, Coloured({0.8, 0.85, 0.8})}}}}}};
+      "physics",
+      {{"name", "plsc"}, {"type", "ode"}},
+      {Number("max_step_size", physics.step),
+       Number("real_time_factor", 1),
+       {"ode",
+        {},
+        {{"solver",
+          {},
+          {XmlText("type", solver),
+           Number("iters", physics.solver_iterations)}},
+         {"constraints",
+          {},
+          {Number("cfm", physics.world_cfm), Number("erp", physics.world_erp),
+           Number("contact_max_correcting_vel", physics.correcting_speed),
+           Number("contact_surface_layer", physics.surface_layer)}}}}}};
 }
 
 XmlElement WorldElement(const RobotModel& model) {
   const PhysicsOptions& physics = model.options.physics;
-  return {
-      "world",
-      {{"name", "flat"}},
-      {{"physics",
-        {{"name", "plsc"}, {"type", "ode"}},
-        {Number("max_step_size", physics.step), Number("real_time_factor", 1)}},
-       XmlText("gravity", "0 0 " + NumberText(-physics.gravity)),
-       Plugin("physics", "Physics"),
-       Plugin("user-commands", "UserCommands"),
-       Plugin("scene-broadcaster", "SceneBroadcaster"),
-       Plugin("contact", "Contact"),
-       Plugin("imu", "Imu"),
-       {"light",
-        {{"name", "sun"}, {"type", "directional"}},
-        {XmlText("direction", "-0.5 0.1 -0.9")}},
-       Ground(physics),
-       ModelElement(model)}};
+  return {"world",
+          {{"name", TerrainName(model.terrain.type)}},
+          {Physics(physics),
+           XmlText("gravity", "0 0 " + NumberText(-physics.gravity)),
+           Plugin("physics", "Physics"),
+           Plugin("user-commands", "UserCommands"),
+           Plugin("scene-broadcaster", "SceneBroadcaster"),
+           Plugin("contact", "Contact"),
+           Plugin("imu", "Imu"),
+           {"light",
+            {{"name", "sun"}, {"type", "directional"}},
+            {XmlText("direction", "-0.5 0.1 -0.9")}},
+           Ground(model),
+           ModelElement(model)}};
 }
 
 }  // namespace

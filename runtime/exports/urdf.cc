@@ -13,9 +13,11 @@ using Eigen::Vector3d;
 
 std::string Notes(const RobotModel& model) {
   return NotesOn(model) +
-         "\nURDF has no place for the start: with the core at " +
-         NumbersText(model.start.position) +
-         ",\nthe robot rests on the ground.\n"
+         "\nURDF has no place for ground, gravity, step and start, which is "
+         "with the core at\n" +
+         NumbersText(model.start.position) + ", turned by " +
+         NumbersText(FixedAngles(model.start.axes)) +
+         " (roll, pitch, yaw).\n"
          "The gazebo elements are sensors and contacts; others skip them.";
 }
 
@@ -41,11 +43,16 @@ XmlElement Inertial(const Link& link, const Vector3d& frame) {
              {"izz", NumberText(i(2, 2))}}}}};
 }
 
-/// Gazebo's reader takes shapes that are not named after their link for those
-/// of another link, fixed to it, and forgets their friction.
+/// Gazebo's reader takes shapes whose names do not begin so for those of
+/// another link, fixed to it, and forgets their friction.
 std::string ShapeName(const RobotModel& model, std::size_t link,
-                      const Box& box) {
-  return model.links[link] + "_" + BoxName(model.phenotype.body, box);
+                      const std::string& kind, const Box& box) {
+  return model.links[link] + "_" + kind + "_" +
+         BoxName(model.phenotype.body, box);
+}
+
+std::string BaseName(const RobotModel& model) {
+  return model.prefix + "base_link";
 }
 
 /// A box as it is seen ("visual") or felt ("collision").
@@ -53,7 +60,7 @@ XmlElement Shape(const char* kind, const RobotModel& model, std::size_t link,
                  const Box& box) {
   const Vector3d frame = FrameOf(model.assembly, link);
   return {kind,
-          {{"name", ShapeName(model, link, box)}},
+          {{"name", ShapeName(model, link, kind, box)}},
           {Origin(box.centre - frame, box.axes),
            {"geometry", {}, {{"box", {{"size", NumbersText(box.size)}}}}}}};
 }
@@ -111,12 +118,14 @@ XmlElement Transmission(const RobotModel& model, std::size_t hinge) {
 }
 
 /// Gazebo's name of the shape that a touch sensor feels: it numbers those of a
-/// link, but for the first.
+/// link, but for the first, and makes the core a part of the base.
 std::string CollisionInGazebo(const RobotModel& model,
                               const TouchSensor& touch) {
   const Box& box = model.assembly.links[touch.link].boxes[touch.box];
-  return ShapeName(model, touch.link, box) + "_collision" +
-         (touch.box == 0 ? "" : "_" + std::to_string(touch.box));
+  const std::string joined =
+      touch.link == 0 ? BaseName(model) + "_fixed_joint_lump__" : "";
+  return joined + ShapeName(model, touch.link, "collision", box) +
+         "_collision" + (touch.box == 0 ? "" : "_" + std::to_string(touch.box));
 }
 
 XmlElement GazeboSensor(const std::string& name, const std::string& type,
@@ -136,7 +145,7 @@ XmlElement ForGazebo(const RobotModel& model, std::size_t index) {
                      XmlText("mu2", NumberText(physics.friction)),
                      XmlText("kp", NumberText(physics.robot_kp)),
                      XmlText("kd", NumberText(physics.robot_kd))}};
-  if (index == 0) gazebo.children.push_back(GazeboSensor(kImuName, "imu", {}));
+  if (index == 0) gazebo.children.push_back(GazeboSensor(model.imu, "imu", {}));
   for (const TouchSensor& touch : model.touch_sensors)
     if (touch.link == index)
       gazebo.children.push_back(GazeboSensor(
@@ -145,6 +154,19 @@ XmlElement ForGazebo(const RobotModel& model, std::size_t index) {
             {},
             {XmlText("collision", CollisionInGazebo(model, touch))}}}));
   return gazebo;
+}
+
+/// Where tools of ROS begin: a link without inertia, since their solvers give
+/// the root none. Gazebo joins it and the core into one link.
+XmlElement BaseLink(const RobotModel& model) {
+  return {"link", {{"name", BaseName(model)}}};
+}
+
+XmlElement BaseJoint(const RobotModel& model) {
+  return {"joint",
+          {{"name", model.prefix + "base_joint"}, {"type", "fixed"}},
+          {{"parent", {{"link", BaseName(model)}}},
+           {"child", {{"link", model.links[0]}}}}};
 }
 
 XmlElement Material(ModuleType type) {
@@ -166,6 +188,8 @@ std::string Urdf(const RobotModel& model) {
        {ModuleType::kCore, ModuleType::kBrick, ModuleType::kVerticalJoint,
         ModuleType::kHorizontalJoint, ModuleType::kTouchSensor})
     parts.push_back(Material(type));
+  parts.push_back(BaseLink(model));
+  parts.push_back(BaseJoint(model));
   for (std::size_t i = 0; i < model.links.size(); ++i)
     parts.push_back(LinkElement(model, i));
   for (std::size_t i = 0; i < model.joints.size(); ++i)

@@ -102,6 +102,54 @@ TEST_CASE("export --to writes robots of runs, in the seasons they lived in",
   CHECK(std::filesystem::exists(folder / "18/robot_18.hill.sdf"));
 }
 
+TEST_CASE("export --to writes a robot of a file in the seasons of a scenario",
+          "[export_robot]") {
+  const TemporaryFolder folder;
+  const std::string file = folder.Write("robot.pls", test::kPlasticText);
+  const std::string scenario = folder.Write(
+      "s.yaml",
+      "plsc_scenario: 1\nphysics: {gravity: 3 m/s2}\nseasons:\n"
+      "  - {name: hill, terrain: {tilted: 20 deg}, duration: 1 s}\n"
+      "  - {name: stairs, terrain: steps, duration: 1 s}\n");
+  const auto all = RunPlsc({"export", file, "--to", "json", "--scenario",
+                            scenario, "-o", folder / "out"});
+  CHECK(all.exit == 0);
+  const auto read = [&](const char* season) {
+    return nlohmann::json::parse(
+        ReadFile(folder / "out/plastic." + season + ".json"));
+  };
+  CHECK(read("hill")["ground"]["type"] == "tilted");
+  CHECK(read("hill")["joints"].size() == 1);
+  CHECK(read("hill")["physics"]["gravity"] == 3);
+  CHECK(read("stairs")["ground"]["boxes"].size() == 20);
+  CHECK(read("stairs")["joints"].empty());
+  // A run's robot may be taken elsewhere, too.
+  const auto best =
+      RunPlsc({"export", test::FinishedRun().path(), "best", "--to", "json",
+               "--scenario", scenario, "--env", "stairs"});
+  CHECK(best.exit == 0);
+  CHECK(nlohmann::json::parse(best.out)["physics"]["gravity"] == 3);
+  // One warning for all that a format cannot say.
+  const auto urdf = RunPlsc({"export", file, "--to", "urdf", "--scenario",
+                             scenario, "-o", folder / "urdf"});
+  CHECK(urdf.err.find("warning: urdf has no place for what plsc simulates: in "
+                      "hill the ground that is {tilted: 20 deg}, gravity 3 "
+                      "m/s2; in stairs the ground") == 0);
+}
+
+TEST_CASE("export --prefix names the parts of a robot", "[export_robot]") {
+  for (const char* format :
+       {"mjcf", "urdf", "sdf", "json", "controller-json", "controller-c"}) {
+    INFO(format);
+    const auto ran = RunPlsc(
+        {"export", "-", "--env", "tilted", "--to", format, "--prefix", "left-"},
+        test::kPlasticText);
+    CHECK(ran.exit == 0);
+    CHECK(ran.out.find("left-joint_2") != std::string::npos);
+    CHECK(ran.out.find("\"joint_2") == std::string::npos);
+  }
+}
+
 TEST_CASE("export --to warns of robots that plsc would not simulate",
           "[export_robot]") {
   // A leg that bends back: the grid has room beside the core, space has not.
@@ -138,6 +186,25 @@ TEST_CASE("export --to says what is wrong, and writes nothing",
        {file, "--to", "mjcf", "--jsonl"},
        2,
        "--to excludes --jsonl"},
+      {"a prefix of no format",
+       {file, "--to", "mjcf", "--prefix", "a b"},
+       2,
+       "expected letters, digits"},
+      {"a prefix of nothing",
+       {file, "--to", "yaml", "--env", "flat", "--prefix", "a"},
+       2,
+       "yaml has none"},
+      {"no such scenario",
+       {file, "--to", "mjcf", "--scenario", folder / "none.yaml"},
+       1,
+       "No such file"},
+      {"a scenario that does not tell all",
+       {file, "--to", "mjcf", "--scenario",
+        folder.Write("mute.yaml",
+                     "plsc_scenario: 1\nsensing: given\nseasons:\n"
+                     "  - {name: flat, terrain: flat, duration: 1 s}\n")},
+       1,
+       "state 'inclined'"},
       {"several robots, one file",
        {file, "--to", "mjcf"},
        2,

@@ -4,6 +4,7 @@
 
 #include "runtime/formats/recording_json.h"
 #include "tests/runtime/cli/run_plsc.h"
+#include "tests/runtime/cli/tiny_run.h"
 
 namespace plsc {
 namespace {
@@ -244,6 +245,35 @@ TEST_CASE("simulate points at what is wrong in a scenario", "[simulate]") {
       CHECK(ran.err.find(row.place) != std::string::npos);
       CHECK(folder.Files() == std::vector<std::string>{"s.yaml"});
     }
+  }
+}
+
+TEST_CASE("simulate lives a run's robot as the run did", "[simulate]") {
+  const std::string run = test::FinishedRun().path();
+  const auto ran = RunPlsc({"simulate", run, "18", "--format", "json"});
+  REQUIRE(ran.exit == 0);
+  const json stored =
+      json::parse(RunPlsc({"show", run, "18", "--format", "json"}).out);
+  std::istringstream lines(ran.out);
+  std::size_t seasons = 0;
+  for (std::string line; std::getline(lines, line); ++seasons)
+    CHECK(json::parse(line)["state_hash"] ==
+          stored["seasons"][seasons]["state_hash"]);
+  CHECK(seasons == 2);
+
+  SECTION("or elsewhere") {
+    const test::TemporaryFolder folder;
+    const auto other = RunPlsc(
+        {"simulate", run, "18", "--scenario", folder.Write("s.yaml", kShort)});
+    CHECK(other.exit == 0);
+    CHECK(other.out.find("robot_18 in scenario short") == 0);
+  }
+  SECTION("and says what is wrong") {
+    CHECK(RunPlsc({"simulate", run}).exit == 2);
+    CHECK(RunPlsc({"simulate", run}).err.find("which of its robots?") !=
+          std::string::npos);
+    CHECK(RunPlsc({"simulate", run, "99"}).exit == 1);
+    CHECK(RunPlsc({"simulate", "-", "1"}, test::kPlasticText).exit == 1);
   }
 }
 

@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/runtime/cli/run_plsc.h"
+#include "tests/runtime/cli/tiny_run.h"
 
 namespace plsc {
 namespace {
@@ -154,6 +155,26 @@ TEST_CASE("why follows symbols of other alphabets, which have no parts",
   CHECK(ran.out.find("  inserted in iteration 3 for Y < X < X; symbol 3 of "
                      "7\n") != std::string::npos);
   CHECK(RunPlsc({"why", file, "--module", "1"}).exit == 2);
+}
+
+TEST_CASE("why asks about robots of runs, in the seasons they lived in",
+          "[why]") {
+  const std::string run = test::FinishedRun().path();
+  const auto ran = RunPlsc({"why", run, "18", "--module", "1"});
+  INFO(ran.err);
+  CHECK(ran.exit == 0);
+  CHECK(ran.out.find("robot_18 in flat (inclined=False): module 1") == 0);
+  CHECK(ran.out.find("robot_18 in hill (inclined=True): module 1") !=
+        std::string::npos);
+  // Lines are those of `show --genotype`.
+  const std::string text = RunPlsc({"show", run, "18", "--genotype"}).out;
+  const std::string before = text.substr(0, text.find("  C\n"));
+  const auto line = std::count(before.begin(), before.end(), '\n') + 1;
+  CHECK(RunPlsc({"why", run + ":" + std::to_string(line) + ":3", "18"}).exit ==
+        0);
+  const auto nobody = RunPlsc({"why", run, "--module", "1"});
+  CHECK(nobody.exit == 2);
+  CHECK(nobody.err.find("which of its robots?") != std::string::npos);
 }
 
 TEST_CASE("why stops before a string outgrows its limit", "[why]") {

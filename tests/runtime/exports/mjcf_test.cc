@@ -1,15 +1,11 @@
 #include "runtime/exports/mjcf.h"
 
-#include <mujoco/mujoco.h>
-
-#include <array>
 #include <catch2/catch.hpp>
-#include <cstring>
-#include <memory>
 #include <set>
 
 #include "sim/controller.h"
 #include "sim/world.h"
+#include "tests/runtime/exports/mujoco_model.h"
 #include "tests/runtime/exports/read_robot.h"
 #include "tests/sim/bodies.h"
 
@@ -18,63 +14,9 @@ namespace {
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
-
-/// A model of MuJoCo with its state, computed once at rest.
-class Loaded {
- public:
-  explicit Loaded(const std::string& mjcf) {
-    const auto files = std::make_unique<mjVFS>();  // too large for the stack
-    mj_defaultVFS(files.get());
-    mj_makeEmptyFileVFS(files.get(), "robot.xml",
-                        static_cast<int>(mjcf.size()));
-    std::memcpy(files->filedata[0], mjcf.data(), mjcf.size());
-    std::array<char, 1000> error = {};
-    model_ = mj_loadXML("robot.xml", files.get(), error.data(),
-                        static_cast<int>(error.size()));
-    mj_deleteVFS(files.get());
-    INFO(error.data());
-    INFO(mjcf);
-    REQUIRE(model_ != nullptr);
-    CHECK(std::string(error.data()).empty());  // a warning
-    data_ = mj_makeData(model_);
-    mj_forward(model_, data_);
-  }
-  ~Loaded() {
-    mj_deleteData(data_);
-    mj_deleteModel(model_);
-  }
-  Loaded(const Loaded&) = delete;
-  Loaded& operator=(const Loaded&) = delete;
-
-  const mjModel& model() const { return *model_; }
-  const mjData& data() const { return *data_; }
-  void SetControl(int actuator, double value) { data_->ctrl[actuator] = value; }
-  void Step() { mj_step(model_, data_); }
-  std::string Name(mjtObj kind, int id) const {
-    const char* name = mj_id2name(model_, kind, id);
-    return name == nullptr ? "" : name;
-  }
-  int warnings() const {
-    int count = 0;
-    for (const mjWarningStat& warning : data_->warning) count += warning.number;
-    return count;
-  }
-
- private:
-  mjModel* model_ = nullptr;
-  mjData* data_ = nullptr;
-};
-
-Vector3d VectorAt(const mjtNum* numbers, int index) {
-  return {numbers[3 * index], numbers[3 * index + 1], numbers[3 * index + 2]};
-}
-
-/// MuJoCo's are by rows.
-Matrix3d MatrixAt(const mjtNum* numbers, int index) {
-  Matrix3d matrix;
-  for (int i = 0; i < 9; ++i) matrix(i / 3, i % 3) = numbers[9 * index + i];
-  return matrix;
-}
+using test::Loaded;
+using test::MatrixAt;
+using test::VectorAt;
 
 void ReadJoints(const Loaded& loaded, const Vector3d& start,
                 test::ReadRobot& read) {
@@ -88,9 +30,9 @@ void ReadJoints(const Loaded& loaded, const Vector3d& start,
     one.parent = loaded.Name(mjOBJ_BODY, model.body_parentid[child]);
     one.anchor = VectorAt(loaded.data().xanchor, joint) - start;
     one.axis = VectorAt(loaded.data().xaxis, joint);
-    CHECK(model.jnt_limited[joint] == 1);
-    one.lower = model.jnt_range[2 * joint];
-    one.upper = model.jnt_range[2 * joint + 1];
+    const auto [lower, upper] = test::LimitsOf(model, joint);
+    one.lower = lower;
+    one.upper = upper;
     CHECK(model.actuator_forcelimited[i] == 1);
     CHECK(model.actuator_forcerange[2 * i] ==
           -model.actuator_forcerange[2 * i + 1]);

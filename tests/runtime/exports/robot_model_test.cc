@@ -1,6 +1,7 @@
 #include "runtime/exports/robot_model.h"
 
 #include <catch2/catch.hpp>
+#include <cmath>
 
 #include "tests/sim/bodies.h"
 
@@ -62,6 +63,24 @@ TEST_CASE("A file's notes name the robot and the servo's numbers",
   CHECK(notes.find("Robot a, developed in b;") == 0);
   CHECK(notes.find("0.9 (target - angle)") != std::string::npos);
   CHECK(notes.find("0.17658 N m") != std::string::npos);
+  CHECK(notes.find("flat ground, gravity 9.8 m/s2") != std::string::npos);
+  CHECK(notes.find("coupled") != std::string::npos);
+}
+
+TEST_CASE("A robot starts on its own ground, and its parts take a prefix",
+          "[robot_model]") {
+  Terrain hill;
+  hill.type = TerrainType::kTilted;
+  hill.tilt = 0.1;
+  const RobotModel model =
+      ModelOf({"a", "b", "x_"}, {Sensing(), {}}, ExportedOptions(), hill);
+  CHECK(model.start.axes.col(2).z() == Approx(std::cos(0.1)));
+  CHECK(model.links[1] == "x_link_2");
+  CHECK(model.joints[0] == "x_joint_2");
+  CHECK(model.servos[0] == "x_servo_2");
+  CHECK(model.imu == "x_imu");
+  CHECK(model.touch_sensors[0].name == "x_touch_3s2");
+  CHECK(BoxName(model, model.assembly.links[0].boxes[0]) == "x_core_1");
 }
 
 }  // namespace

@@ -2,8 +2,10 @@
 
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <sdf/sdf.hh>
 
+#include "runtime/exports/exported_ground.h"
 #include "runtime/exports/urdf.h"
 #include "tests/runtime/exports/read_robot.h"
 #include "tests/sim/bodies.h"
@@ -168,6 +170,46 @@ TEST_CASE("The world of an SDFormat file is plsc's", "[sdf]") {
   CHECK(friction->Get<double>("mu2") == physics.friction);
   CHECK(friction->Get<double>("slip1") == physics.slip);
   CHECK(friction->Get<double>("slip2") == physics.slip);
+}
+
+TEST_CASE("Constants and ground of a season are in an SDFormat file", "[sdf]") {
+  SimulationOptions options = ExportedOptions();
+  options.physics.gravity = 1.62;
+  options.physics.step = 0.0025;
+  options.physics.friction = 0.3;
+  Terrain hill;
+  hill.type = TerrainType::kTilted;
+  hill.tilt = 0.2;
+  Terrain stairs;
+  stairs.type = TerrainType::kSteps;
+  stairs.steps = {0.02, 0.4, 3};
+  for (const Terrain& terrain : {hill, stairs}) {
+    const RobotModel cross =
+        ModelOf({"cross", "x"}, {Cross(), {}}, options, terrain);
+    const ReadFile file(Sdf(cross, Surroundings::kFloor));
+    const sdf::World& world = *file.root.WorldByIndex(0);
+    CHECK(world.Gravity().Z() == -1.62);
+    CHECK(world.PhysicsByIndex(0)->MaxStepSize() == 0.0025);
+    const sdf::Link& ground = *world.ModelByIndex(0)->LinkByIndex(0);
+    const sdf::Collision& plane = *ground.CollisionByName("ground");
+    const double tilt = terrain.tilt;
+    CHECK((ToEigen(plane.Geom()->PlaneShape()->Normal()) -
+           Eigen::Vector3d(0, -std::sin(tilt), std::cos(tilt)))
+              .norm() < 1e-12);
+    CHECK(plane.Element()
+              ->GetElement("surface")
+              ->GetElement("friction")
+              ->GetElement("ode")
+              ->Get<double>("mu") == 0.3);
+    const auto boxes = GroundOf(terrain).boxes;
+    REQUIRE(ground.CollisionCount() == boxes.size() + 1);
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+      const sdf::Collision& box = *ground.CollisionByIndex(i + 1);
+      CHECK((ToEigen(box.RawPose().Pos()) - boxes[i].centre).norm() < 1e-12);
+      CHECK((ToEigen(box.Geom()->BoxShape()->Size()) - boxes[i].size).norm() <
+            1e-12);
+    }
+  }
 }
 
 TEST_CASE("Any name of a genotype is a name of a model", "[sdf]") {

@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>
+#include <numbers>
 
 #include "runtime/exports/number_text.h"
 #include "tests/runtime/exports/read_robot.h"
@@ -40,7 +41,7 @@ test::ReadLink ReadLinkOf(const urdf::Link& link, const Isometry3d& frame) {
     const Isometry3d place = frame * ToEigen(collision->origin);
     const auto box = std::dynamic_pointer_cast<urdf::Box>(collision->geometry);
     REQUIRE(box);
-    const std::string prefix = link.name + "_";
+    const std::string prefix = link.name + "_collision_";
     REQUIRE(collision->name.starts_with(prefix));
     read.boxes[collision->name.substr(prefix.size())] = {
         place.translation(), place.linear(), ToEigen(box->dim)};
@@ -80,8 +81,18 @@ test::ReadRobot Read(const std::string& text) {
   const urdf::ModelInterfaceSharedPtr model = urdf::parseURDF(text);
   INFO(text);
   REQUIRE(model);
+  // Tools of ROS want a root that weighs nothing.
+  const urdf::Link& root = *model->getRoot();
+  CHECK(root.name.ends_with("base_link"));
+  CHECK_FALSE(root.inertial);
+  CHECK(root.collision_array.empty());
+  REQUIRE(root.child_joints.size() == 1);
+  const urdf::Joint& joint = *root.child_joints[0];
+  CHECK(joint.type == urdf::Joint::FIXED);
+  CHECK(ToEigen(joint.parent_to_joint_origin_transform)
+            .isApprox(Isometry3d::Identity()));
   test::ReadRobot read;
-  ReadFrom(*model->getRoot(), Isometry3d::Identity(), read);
+  ReadFrom(*root.child_links[0], Isometry3d::Identity(), read);
   return read;
 }
 
@@ -110,9 +121,29 @@ TEST_CASE("urdfdom reads what the authors' program assembled", "[urdf]") {
 
 TEST_CASE("A URDF tells what it cannot hold", "[urdf]") {
   const RobotModel& model = test::AuthorsRobots().front().model;
-  CHECK(Urdf(model).find("with the core at " +
-                         NumbersText(model.start.position)) !=
+  CHECK(Urdf(model).find(NumbersText(model.start.position) + ", turned by 0") !=
         std::string::npos);
+  SimulationOptions options = ExportedOptions();
+  options.physics.gravity = 1.62;
+  Terrain hill;
+  hill.type = TerrainType::kTilted;
+  hill.tilt = std::numbers::pi / 36;
+  const std::string text =
+      Urdf(ModelOf({"a", "b"}, model.phenotype, options, hill));
+  CHECK(text.find("tilted: 5 deg") != std::string::npos);
+  CHECK(text.find("gravity 1.62 m/s2") != std::string::npos);
+}
+
+TEST_CASE("Names of a URDF take a prefix", "[urdf]") {
+  const RobotModel& plain = test::AuthorsRobots().front().model;
+  const RobotModel model =
+      ModelOf({"a", "b", "left_"}, plain.phenotype, plain.options);
+  const urdf::ModelInterfaceSharedPtr read = urdf::parseURDF(Urdf(model));
+  REQUIRE(read);
+  for (const auto& [name, link] : read->links_)
+    CHECK(name.starts_with("left_"));
+  for (const auto& [name, joint] : read->joints_)
+    CHECK(name.starts_with("left_"));
 }
 
 }  // namespace

@@ -1,0 +1,66 @@
+#include "runtime/season_environments.h"
+
+#include <cstddef>
+#include <numbers>
+#include <optional>
+
+#include "runtime/season_teller.h"
+#include "sim/imu.h"
+
+namespace plsc {
+
+namespace {
+
+double FeltAtStart(const Scenario& scenario, const Season& season) {
+  return FeltInclination(season.terrain, OptionsFor(scenario, season),
+                         scenario.imu, {});
+}
+
+/// Whether a robot may feel the ground otherwise where it has come to. Level
+/// ground is the same everywhere.
+bool HangsOnPlace(const Scenario& scenario, std::size_t season) {
+  return scenario.lives == Lives::kContinuous && season > 0 &&
+         scenario.seasons[season].terrain.type != TerrainType::kFlat;
+}
+
+/// `felt` in seasons that hang on the place; nothing: as if at the start.
+std::vector<NamedEnvironment> TellWith(const Genotype& genotype,
+                                       const Scenario& scenario,
+                                       std::optional<double> felt) {
+  std::vector<NamedEnvironment> environments;
+  const Senses none;
+  SeasonTeller teller(genotype, scenario, none);
+  for (std::size_t i = 0; !teller.is_over(); ++i) {
+    const Season& season = teller.season();
+    std::string name = season.name;
+    std::optional<double> inclination;
+    if (teller.AsksImu()) {
+      const bool is_free = felt && HangsOnPlace(scenario, i);
+      inclination = is_free ? *felt : FeltAtStart(scenario, season);
+      if (is_free) name += *felt > 0 ? ", inclined" : ", level";
+    }
+    const SeasonResult told = teller.Next(0, inclination).result;
+    environments.push_back(
+        {std::move(name), EnvironmentOf(told.sensed, genotype.states)});
+  }
+  return environments;
+}
+
+}  // namespace
+
+std::vector<NamedEnvironment> SeasonEnvironments(const Genotype& genotype,
+                                                 const Scenario& scenario) {
+  return TellWith(genotype, scenario, std::nullopt);
+}
+
+std::vector<NamedEnvironment> PossibleEnvironments(const Genotype& genotype,
+                                                   const Scenario& scenario) {
+  std::vector<NamedEnvironment> possible = TellWith(genotype, scenario, 0);
+  // Steeper than any threshold.
+  const auto inclined = TellWith(genotype, scenario, std::numbers::pi);
+  for (std::size_t i = 0; i < inclined.size(); ++i)
+    if (inclined[i].name != possible[i].name) possible.push_back(inclined[i]);
+  return possible;
+}
+
+}  // namespace plsc
