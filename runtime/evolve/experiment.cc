@@ -3,12 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <limits>
 
 #include "compiler/limits.h"
 #include "grammar/keywords.h"
 #include "runtime/scenario_yaml.h"
 #include "runtime/yaml_reader.h"
+#include "runtime/yaml_text.h"
 
 namespace plsc {
 
@@ -149,15 +151,27 @@ std::vector<State> ReadStates(const YamlValue& value) {
   return states;
 }
 
-/// A number, or the word max_terms. Needs max_terms.
-void ReadInitialTerms(YamlMap& map, GenotypeOptions& options) {
-  if (const auto most = map.Find("max_initial_terms"))
-    if (!most->is_scalar() || most->text() != kAsMaxTerms)
-      if (const auto number = most->Integer(0, options.max_terms))
-        options.max_initial_terms = static_cast<int>(*number);
+/// A number, or the word max_terms. `most_terms`: that it may be, what
+/// max_terms is if that is right.
+void ReadInitialTerms(YamlMap& map, int most_terms, GenotypeOptions& options) {
+  const std::size_t errors = map.place().error_count();
+  const auto most = map.Find("max_initial_terms");
+  const bool is_word = most && most->is_scalar() && !most->text().empty() &&
+                       std::isalpha(most->text()[0]) != 0;
+  if (is_word && most->text() != kAsMaxTerms)
+    most->Report("P5107",
+                 fmt::format("expected a whole number or {}, found '{}'",
+                             kAsMaxTerms, most->text()),
+                 fmt::format("write '{}'", kAsMaxTerms),
+                 std::string(kAsMaxTerms));
+  else if (most && !is_word)
+    if (const auto number = most->Integer(0, most_terms, most_terms))
+      options.max_initial_terms = static_cast<int>(*number);
+  const bool is_most_right = map.place().error_count() == errors;
   options.min_initial_terms =
       map.Int("min_initial_terms", options.min_initial_terms, 0,
-              options.max_initial_terms.value_or(options.max_terms));
+              is_most_right ? options.max_initial_terms.value_or(most_terms)
+                            : most_terms);
 }
 
 void ReadVariation(YamlMap& map, Experiment& experiment) {
@@ -176,6 +190,7 @@ void ReadVariation(YamlMap& map, Experiment& experiment) {
 
 GenotypeOptions ReadGenotype(YamlMap& map) {
   GenotypeOptions options;
+  const std::size_t errors = map.place().error_count();
   options.encoding = static_cast<Encoding>(map.Choice(
       "encoding", static_cast<std::size_t>(options.encoding), EncodingNames()));
   DevelopmentSettings& development = options.development;
@@ -184,19 +199,26 @@ GenotypeOptions ReadGenotype(YamlMap& map) {
   development.max_modules =
       map.Int("max_modules", development.max_modules, kMinModules, kMaxModules);
   development.move_to_new = map.Bool("move_to_new", development.move_to_new);
+  const std::size_t before_groups = map.place().error_count();
   options.max_groups = map.Int("max_groups", options.max_groups, 1, kMaxGroups);
-  options.min_groups =
-      map.Int("min_groups", options.min_groups, 1, options.max_groups);
+  const bool is_max_right = map.place().error_count() == before_groups;
+  options.min_groups = map.Int("min_groups", options.min_groups, 1,
+                               is_max_right ? options.max_groups : kMaxGroups);
   options.groups_per_rule =
       map.Bool("groups_per_rule", options.groups_per_rule);
   options.max_rules =
       map.Int("max_rules", options.max_rules, kMinLimit, kMaxLimit);
+  const std::size_t before_terms = map.place().error_count();
   options.max_terms =
       map.Int("max_terms", options.max_terms, kMinLimit, kMaxLimit);
-  ReadInitialTerms(map, options);
+  ReadInitialTerms(
+      map,
+      map.place().error_count() == before_terms ? options.max_terms : kMaxLimit,
+      options);
   if (const auto states = map.Find("states")) {
     options.states = ReadStates(*states);
-    if (options.states.empty() && options.encoding == Encoding::kPlasticoding)
+    if (map.place().error_count() == errors && options.states.empty() &&
+        options.encoding == Encoding::kPlasticoding)
       states->Report("P5108",
                      "expected at least one state: clauses ask about them",
                      "write 'encoding: baseline' for rules without clauses");
@@ -347,6 +369,7 @@ std::string Indented(const std::string& text, int indent) {
 
 Experiment ReadExperiment(YamlMap& map) {
   Experiment experiment;
+  const std::size_t errors = map.place().error_count();
   map.Int("plsc_experiment", kFormat, kFormat, kFormat);
   experiment.name = map.Text("name", "");
   if (const auto seed = map.Find("seed"))
@@ -368,8 +391,8 @@ Experiment ReadExperiment(YamlMap& map) {
   ReadVariation(map, experiment);
   experiment.genotype = ReadGenotype(map);
   ReadScenarioOf(map, experiment);
-  CheckTogether(map, experiment);
   map.Close();
+  if (map.place().error_count() == errors) CheckTogether(map, experiment);
   return experiment;
 }
 
