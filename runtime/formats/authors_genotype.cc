@@ -3,9 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
+#include <optional>
 #include <set>
 #include <utility>
 
+#include "compiler/limits.h"
 #include "compiler/truth.h"
 #include "compiler/verify.h"
 #include "grammar/screen.h"
@@ -25,6 +28,10 @@ Diagnostic Said(Severity severity, const char* code, Span span,
   diagnostic.message = std::move(message);
   return diagnostic;
 }
+
+// u and l of the paper's experiments, which Revolve has outside of its texts.
+constexpr std::size_t kAuthorsMaxTerms = 2;
+constexpr std::size_t kAuthorsMaxRules = 2;
 
 bool IsError(const Diagnostic& diagnostic) {
   return diagnostic.severity == Severity::kError;
@@ -50,6 +57,7 @@ class Importer {
     if (!HasErrors()) {
       FindJoined();
       for (const AuthorsRule& rule : read_.rules) Add(rule);
+      FindLimits();
     }
     Program program;
     if (!HasErrors()) {
@@ -162,6 +170,45 @@ class Importer {
     }
   }
 
+  // What Revolve's operators keep to: without clauses a letter has one rule;
+  // else the paper's u and l, or what a run with more has left in the text.
+  void FindLimits() {
+    if (!read_.has_clauses) {
+      max_rules_ = 1;
+      return;
+    }
+    Most terms{kAuthorsMaxTerms, {}};
+    Most rules{kAuthorsMaxRules, {}};
+    std::map<std::string_view, std::size_t> counts;
+    for (const AuthorsRule& rule : read_.rules) {
+      terms.Take(rule.clause.terms.size(), rule.span);
+      rules.Take(++counts[rule.letter.token], rule.span);
+    }
+    max_terms_ = Limit("terms in a clause", kAuthorsMaxTerms, terms);
+    max_rules_ = Limit("rules of a letter", kAuthorsMaxRules, rules);
+  }
+
+  // The most that a text has of something, and where.
+  struct Most {
+    std::size_t count;
+    Span span;
+    void Take(std::size_t other, Span place) {
+      if (other > count) *this = {other, place};
+    }
+  };
+
+  std::optional<int> Limit(const char* what, std::size_t usual, Most most) {
+    if (most.count > usual)
+      problems_.push_back(Said(
+          Severity::kWarning, "W5200", most.span,
+          fmt::format("{} {} are more than the paper's {}: the limit of their "
+                      "run is not in the text, and {} is written for it",
+                      most.count, what, usual,
+                      most.count > kMaxLimit ? "none" : "this number")));
+    if (most.count > kMaxLimit) return std::nullopt;
+    return static_cast<int>(most.count);
+  }
+
   Program Assembled() const {
     Program program;
     Genotype& genotype = program.genotype;
@@ -169,6 +216,8 @@ class Importer {
     for (const std::string& state : read_.states)
       genotype.states.push_back({state, StateType::kBool, 0, 0, {}});
     genotype.axiom = p::kC;
+    genotype.max_terms = max_terms_;
+    genotype.max_rules = max_rules_;
     genotype.rules = rules_;
     std::stable_sort(
         genotype.rules.begin(), genotype.rules.end(),
@@ -183,6 +232,8 @@ class Importer {
   const ImportOptions& options_;
   std::set<SymbolId> letters_;
   std::vector<Rule> rules_;
+  std::optional<int> max_terms_;
+  std::optional<int> max_rules_;
 };
 
 }  // namespace

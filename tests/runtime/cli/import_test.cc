@@ -23,7 +23,7 @@ TEST_CASE("import prints a genotype of plsc", "[cli][import]") {
   CHECK(ran.out ==
         "plsc 1\n\ngenotype genotype_robot_12\nalphabet plasticoding 1\n"
         "sense inclined: bool\naxiom C\niterations 3\nmax_modules 15\n"
-        "move_to_new False\n\nrule C -> if inclined = True then {\n  C\n"
+        "move_to_new False\nmax_terms 2\nmax_rules 2\n\nrule C -> if inclined = True then {\n  C\n"
         "  add_left\n  A1(0.5, 4, 2, 3)\n}\n\n"
         "environment plane { inclined = False }\n"
         "environment tilted5 { inclined = True }\n");
