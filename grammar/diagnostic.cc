@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 #include <utility>
 
 #include "grammar/shown_line.h"
@@ -79,6 +80,25 @@ std::string ShowPlace(const Source& source, const Place& place,
   return text + paint(place.ink, marks) + "\n";
 }
 
+std::string ShowPlaceAndName(const Source& source, const Place& place,
+                             std::size_t gutter, const Painter& paint) {
+  const Position at = source.PositionOf(place.span.begin);
+  return paint(kBlue, fmt::format("{:>{}}--> ", "", gutter)) +
+         fmt::format("{}:{}:{}\n", source.name(), at.line, at.column) +
+         ShowPlace(source, place, gutter, paint);
+}
+
+// What is not shown, of `total` that were found and `shown` that are.
+std::string Rest(std::size_t total, std::size_t shown) {
+  const bool is_all = total < kMaxReported;
+  if (shown < total)
+    return fmt::format("... and {}{} more (--max-errors 0 shows {})\n",
+                       is_all ? "" : "at least ", total - shown,
+                       is_all ? "all" : fmt::format("{}", total));
+  if (is_all) return "";
+  return "... and perhaps more: the search ends here\n";
+}
+
 }  // namespace
 
 void SortAndDropRepeated(std::vector<Diagnostic>* diagnostics) {
@@ -104,23 +124,21 @@ void SortAndDropRepeated(std::vector<Diagnostic>* diagnostics) {
 
 std::string Render(const Diagnostic& diagnostic, const Source& source,
                    bool in_color) {
+  assert(!diagnostic.code.empty());
   const Painter paint{in_color};
-  const Position at = source.PositionOf(diagnostic.span.begin);
-  int last_line = at.line;
+  int last_line = source.PositionOf(diagnostic.span.begin).line;
   for (const Label& other : diagnostic.others)
     last_line = std::max(last_line, source.PositionOf(other.span.begin).line);
   const std::size_t gutter = std::to_string(last_line).size();
   const bool is_error = diagnostic.severity == Severity::kError;
   const std::string_view ink = is_error ? kRed : kYellow;
 
-  std::string kind = is_error ? "error" : "warning";
-  if (!diagnostic.code.empty()) kind += fmt::format("[{}]", diagnostic.code);
+  const std::string kind =
+      fmt::format("{}[{}]", is_error ? "error" : "warning", diagnostic.code);
   std::string text =
       paint(ink, kind) + paint(kBold, ": " + Clip(diagnostic.message)) + "\n";
-  text += paint(kBlue, fmt::format("{:>{}}--> ", "", gutter));
-  text += fmt::format("{}:{}:{}\n", source.name(), at.line, at.column);
-  text += ShowPlace(source, {diagnostic.span, '^', diagnostic.label, ink},
-                    gutter, paint);
+  text += ShowPlaceAndName(
+      source, {diagnostic.span, '^', diagnostic.label, ink}, gutter, paint);
   for (const Label& other : diagnostic.others)
     text +=
         ShowPlace(source, {other.span, '-', other.text, kBlue}, gutter, paint);
@@ -132,6 +150,13 @@ std::string Render(const Diagnostic& diagnostic, const Source& source,
   return text;
 }
 
+std::string RenderPlace(Span span, const std::string& label,
+                        const Source& source) {
+  const std::size_t gutter =
+      std::to_string(source.PositionOf(span.begin).line).size();
+  return ShowPlaceAndName(source, {span, '^', label, kRed}, gutter, {});
+}
+
 std::string Render(std::vector<Diagnostic> diagnostics, const Source& source,
                    const RenderOptions& options) {
   std::stable_sort(diagnostics.begin(), diagnostics.end(),
@@ -139,17 +164,12 @@ std::string Render(std::vector<Diagnostic> diagnostics, const Source& source,
                      return a.span.begin < b.span.begin;
                    });
   std::string text;
-  int shown = 0;
-  for (const Diagnostic& diagnostic : diagnostics) {
-    if (options.limit > 0 && shown == options.limit) {
-      text += fmt::format("... and {} more (--max-errors 0 shows all)\n",
-                          diagnostics.size() - static_cast<std::size_t>(shown));
-      break;
-    }
-    text += Render(diagnostic, source, options.in_color);
-    ++shown;
-  }
-  return text;
+  std::size_t shown = diagnostics.size();
+  if (options.limit > 0)
+    shown = std::min(shown, static_cast<std::size_t>(options.limit));
+  for (std::size_t i = 0; i < shown; ++i)
+    text += Render(diagnostics[i], source, options.in_color);
+  return text + Rest(diagnostics.size(), shown);
 }
 
 std::string Render(std::vector<Diagnostic> diagnostics, const Source& source,

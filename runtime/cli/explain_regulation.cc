@@ -85,6 +85,15 @@ rule C -> { C }
 alphabet plasticoding 1
 rule C -> { C }
 )"},
+    {"W2005", ExampleKind::kCommand,
+     R"(An environment on the command line gives a value to a state that the
+genotype does not declare. The value is ignored: an environment may have
+more to it than one robot senses. Often the name is misspelt.
+)",
+     R"(plsc regulate robot.pls --env cold=True
+)",
+     R"(plsc regulate robot.pls
+)"},
     {"W3002", ExampleKind::kGenotype,
      R"(The clause has the same truth value in every environment. A rule that is
 always active is clearer without a clause; one that is never active does
@@ -143,8 +152,9 @@ rule C -> if hot = False then { C add_right B }
 )"},
     {"W3005", ExampleKind::kLint,
      R"(The clauses ask about so many states that there are too many environments
-to look at (more than 65,536), so the lints that look at all of them were
-left out. The genotype is correct.
+to look at (more than 65,536), or the strings that develop in them are too
+long together, so the lints that look at all of them were left out. The
+genotype is correct.
 )",
      R"(plsc 1
 alphabet plasticoding 1
