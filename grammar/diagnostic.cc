@@ -47,17 +47,44 @@ struct Place {
   std::string_view ink;
 };
 
+// Of a longer line only so many bytes around a place are looked at: several
+// times what is shown, whatever the characters.
+constexpr std::size_t kMaxLooked = 16 * kMaxShown;
+
+// The part of a line around `at`, cut between characters.
+struct LinePart {
+  std::string_view text;
+  std::uint32_t begin = 0;  ///< of the part in the source
+};
+
+LinePart PartOf(std::string_view line, std::uint32_t line_begin,
+                std::uint32_t at) {
+  if (line.size() <= 2 * kMaxLooked) return {line, line_begin};
+  const auto is_inside = [&](std::size_t i) {
+    return i < line.size() &&
+           (static_cast<unsigned char>(line[i]) & 0xC0U) == 0x80U;
+  };
+  const std::size_t middle =
+      std::min<std::size_t>(at - line_begin, line.size());
+  std::size_t begin = middle > kMaxLooked ? middle - kMaxLooked : 0;
+  std::size_t end = std::min(middle + kMaxLooked, line.size());
+  while (is_inside(begin)) ++begin;
+  while (is_inside(end)) ++end;
+  return {line.substr(begin, end - begin),
+          line_begin + static_cast<std::uint32_t>(begin)};
+}
+
 // One source line with the mark repeated under the bytes of the place.
 std::string ShowPlace(const Source& source, const Place& place,
                       std::size_t gutter, const Painter& paint) {
   const Span span = place.span;
   const int line_number = source.PositionOf(span.begin).line;
-  const std::string_view line = source.Line(line_number);
-  const std::uint32_t line_begin = source.LineBegin(line_number);
-  const ShownLine shown = Show(line);
+  const LinePart part = PartOf(source.Line(line_number),
+                               source.LineBegin(line_number), span.begin);
+  const ShownLine shown = Show(part.text);
   const auto column_at = [&](std::uint32_t offset) {
-    return shown.column_of_byte[std::min<std::size_t>(offset - line_begin,
-                                                      line.size())];
+    return shown.column_of_byte[std::min<std::size_t>(offset - part.begin,
+                                                      part.text.size())];
   };
   std::size_t first = column_at(span.begin);
   const std::size_t last = column_at(std::max(span.end, span.begin));

@@ -56,7 +56,8 @@ class Importer {
   Result<Program> Import() {
     if (!HasErrors()) {
       FindJoined();
-      for (const AuthorsRule& rule : read_.rules) Add(rule);
+      for (const AuthorsRule& rule : read_.rules)
+        if (!is_full()) Add(rule);
       FindLimits();
     }
     Program program;
@@ -73,6 +74,10 @@ class Importer {
   }
 
  private:
+  // Warnings alone keep nothing from being read.
+  bool is_full() const {
+    return problems_.size() >= kMaxReported && HasErrors();
+  }
   bool HasErrors() const {
     return std::any_of(problems_.begin(), problems_.end(), IsError);
   }
@@ -80,18 +85,14 @@ class Importer {
   // In the level season, where every condition is False, Revolve has put the
   // later active rules of a letter behind its first one, in the genotype.
   void FindJoined() {
+    if (!read_.has_clauses) return;
     const std::vector<double> level(read_.states.size(), 0);
-    std::set<std::string_view> letters;
-    for (const AuthorsRule& rule : read_.rules) {
-      if (!read_.has_clauses || !letters.insert(rule.letter.token).second)
-        continue;
-      std::vector<AuthorsRule*> active;
-      for (AuthorsRule& other : read_.rules)
-        if (other.letter.token == rule.letter.token &&
-            ClauseHolds(other.clause, level))
-          active.push_back(&other);
-      if (active.size() > 1) Unjoin(active);
-    }
+    std::map<std::string_view, std::vector<AuthorsRule*>> active;
+    for (AuthorsRule& rule : read_.rules)
+      if (ClauseHolds(rule.clause, level))
+        active[rule.letter.token].push_back(&rule);
+    for (const auto& [letter, rules] : active)
+      if (rules.size() > 1) Unjoin(rules);
   }
 
   void Unjoin(const std::vector<AuthorsRule*>& active) {
@@ -151,16 +152,18 @@ class Importer {
       return;
     }
     Rule rule{letter->id, from.clause, {}};
-    for (const AuthorsWord& word : from.symbols)
+    for (const AuthorsWord& word : from.symbols) {
+      if (is_full()) return;
       if (const auto symbol =
               ImportSymbol(word, options_.allow_range, &problems_))
         rule.production.push_back(*symbol);
+    }
     CheckCore(from, letter->id);
     rules_.push_back(std::move(rule));
   }
 
   void CheckCore(const AuthorsRule& from, SymbolId head) {
-    for (std::size_t i = 0; i < from.symbols.size(); ++i) {
+    for (std::size_t i = 0; i < from.symbols.size() && !is_full(); ++i) {
       const bool wants_core = head == p::kC && i == 0;
       if ((from.symbols[i].token == "C") == wants_core) continue;
       problems_.push_back(
@@ -239,7 +242,7 @@ class Importer {
 }  // namespace
 
 AuthorsFormat GuessAuthorsFormat(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(" \t\r\n");
+  const std::size_t first = text.find_first_not_of(" \t\r\n", TextBegin(text));
   const bool is_dictionary =
       first != std::string_view::npos && text[first] == '{';
   return is_dictionary ? AuthorsFormat::kRepr : AuthorsFormat::kLines;

@@ -153,5 +153,22 @@ TEST_CASE("A place alone is shown like that of a diagnostic", "[diagnostic]") {
         Render(diagnostic, source));
 }
 
+TEST_CASE("A place on a line of megabytes is shown as on one that is long",
+          "[diagnostic]") {
+  const auto shown = [](std::size_t before, std::size_t after) {
+    const std::string line =
+        std::string(before, 'a') + "\xC3\xA9here" + std::string(after, 'b');
+    const auto at = static_cast<std::uint32_t>(before) + 2;
+    const std::string text =
+        Render(At({at, at + 4}, "wrong"), Source("a.pls", line + "\n"));
+    return text.substr(text.find("1 | "));
+  };
+  const std::string wanted = shown(400, 400);
+  CHECK(wanted.find("...aaa") != std::string::npos);
+  CHECK(shown(2'000'000, 400) == wanted);
+  CHECK(shown(2'000'000, 2'000'000) == wanted);
+  CHECK(shown(401, 2'000'000) == wanted);
+}
+
 }  // namespace
 }  // namespace plsc

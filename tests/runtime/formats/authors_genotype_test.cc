@@ -312,5 +312,35 @@ TEST_CASE("What Revolve has no words for is not exported",
                          "rule B -> if t = True then { B }")) == "P5200");
 }
 
+// Not timed; by the square of what they list each would take minutes, and the
+// messages of the last gigabytes.
+TEST_CASE("Texts of Revolve of any length are read or refused",
+          "[authors_genotype]") {
+  const std::string rule = "[[<Alphabet.ADD_LEFT: 'addl'>, []]]";
+  std::string letters = "{";
+  std::string conditions = "{<Alphabet.BLOCK: 'B'>: [";
+  for (int i = 0; i < 60000; ++i) {
+    const char* comma = i == 0 ? "" : ", ";
+    letters += fmt::format("{}<Alphabet.X: 'L{}'>: [[[['h', '==', True]], {}]]",
+                           comma, i, rule);
+    conditions += fmt::format("{}[[['h{}', '==', True]], {}]", comma, i, rule);
+  }
+  const auto first_of = [](const std::string& text) {
+    const auto read =
+        ImportAuthorsGenotype(Source("test", text), GuessAuthorsFormat(text));
+    REQUIRE_FALSE(read);
+    CHECK(read.diagnostics().size() <= kMaxReported + 1);
+    return read.diagnostics()[0].code;
+  };
+  CHECK(first_of(letters + "}") == "P2007");
+  CHECK(first_of(conditions + "]}") == "P5200");
+  std::string tokens = "B ";
+  for (int i = 0; i < 1'000'000; ++i) tokens += "xyz ";
+  CHECK(first_of(tokens + "\n") == "P2001");
+  std::string numbers = "B ST_";
+  for (int i = 0; i < 1'000'000; ++i) numbers += "x|";
+  CHECK(first_of(numbers + " \n") == "P5200");
+}
+
 }  // namespace
 }  // namespace plsc
