@@ -220,6 +220,44 @@ alphabet plasticoding 1
 iterations 1
 rule C -> { C add_left B }
 )"},
+    {"W4003", ExampleKind::kLint,
+     R"(A controller command acts on the newest joint that was mounted. Where the
+joint right before it is not mounted, because max_modules is reached or
+its place is taken, the command changes an older joint.
+)",
+     R"(plsc 1
+alphabet plasticoding 1
+iterations 1
+rule C -> {
+  C add_left A1(0.5, 2, 3, 1) mutate_per(1) add_left A1(0.5, 2, 3, 1)
+  # plsc: allow W4002
+  mutate_per(1)
+}
+)",
+     R"(plsc 1
+alphabet plasticoding 1
+iterations 1
+rule C -> {
+  C add_left A1(0.5, 2, 3, 1) mutate_per(1) add_right A1(0.5, 2, 3, 1)
+  mutate_per(1)
+}
+)"},
+    {"W4004", ExampleKind::kLint,
+     R"(Each rewriting puts the production of C in front once more, so that with
+'iterations 2' it is read twice. Where the first reading ends on the core,
+the second finds every place taken. Often 'iterations 1' is meant; a rule
+that ends with a move outward is read on from there.
+)",
+     R"(plsc 1
+alphabet plasticoding 1
+iterations 2
+rule C -> { C add_left B }
+)",
+     R"(plsc 1
+alphabet plasticoding 1
+iterations 2
+rule C -> { C add_front B move_front }
+)"},
 };
 
 }  // namespace
