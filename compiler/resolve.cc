@@ -163,6 +163,7 @@ class Resolver {
     } else {
       diagnostic.label = fmt::format("write '{}'", foreign);
       diagnostic.notes.push_back(ForeignNote(text));
+      diagnostic.fixes.push_back({name, std::string(foreign)});
     }
     return std::nullopt;
   }
@@ -202,7 +203,7 @@ class Resolver {
     }
     Term term;
     term.state = *id;
-    const auto number = ResolveValue(StateOf(*id), value);
+    const auto number = ResolveValue(*id, value);
     if (!number) return std::nullopt;
     term.value = *number;
     return term;
@@ -230,8 +231,8 @@ class Resolver {
          "declared here"});
   }
 
-  std::optional<double> ResolveValue(const State& state,
-                                     const ast::Value& value) {
+  std::optional<double> ResolveValue(StateId id, const ast::Value& value) {
+    const State& state = StateOf(id);
     using Kind = ast::Value::Kind;
     switch (state.type) {
       case StateType::kBool:
@@ -247,17 +248,18 @@ class Resolver {
         }
         break;
       case StateType::kEnum:
-        if (value.kind == Kind::kName) return EnumIndex(state, value);
+        if (value.kind == Kind::kName) return EnumIndex(id, value);
         break;
     }
     ReportMismatch(state, value);
     return std::nullopt;
   }
 
-  std::optional<double> EnumIndex(const State& state, const ast::Value& value) {
+  std::optional<double> EnumIndex(StateId id, const ast::Value& value) {
+    const State& state = StateOf(id);
     const std::string_view text = file_.Text(value.span);
-    for (std::size_t i = 0; i < state.values.size(); ++i)
-      if (state.values[i] == text) return static_cast<double>(i);
+    if (const auto index = scope_.FindValue(id, text))
+      return static_cast<double>(*index);
     if (is_full()) return std::nullopt;
     SuggestAmong(
         NamesOf(state.values,

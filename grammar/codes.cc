@@ -9,7 +9,7 @@ constexpr CodeInfo kCodes[] = {
     {"P1101", "something that is no item stands where an item should start"},
     {"P1102", "a name is missing, or is a reserved word"},
     {"P1103", "a state of a clause is not compared with anything"},
-    {"P1104", "an operator or value of another language"},
+    {"P1104", "an operator, value or mark of another language"},
     {"P1105", "a term is missing after 'if', 'and' or 'or'"},
     {"P1106", "a clause does not end in 'then'"},
     {"P1107", "a '{' is never closed"},
@@ -24,6 +24,7 @@ constexpr CodeInfo kCodes[] = {
     {"P1116", "something that does not belong between these braces"},
     {"P1117", "a type is missing or unknown"},
     {"P1118", "an alphabet without a version or body"},
+    {"P1119", "a character that looks like another, or is invisible"},
     {"P2001", "a symbol that the alphabet does not have"},
     {"P2002", "a wrong number of arguments"},
     {"P2003", "an argument that must be a whole number"},
@@ -96,6 +97,11 @@ constexpr CodeInfo kCodes[] = {
     {"W4002",
      "a symbol that is expressed in no environment, or a rule that is used "
      "in none (on request)"},
+    {"W4003",
+     "a command that somewhere changes another joint than the one before it "
+     "(on request)"},
+    {"W4004",
+     "a rule of C that is read several times in one place (on request)"},
     {"W5200",
      "something that an import or export loses, or that was lost before"},
 };
