@@ -83,13 +83,13 @@ std::vector<ChangedLines> LineChanges(std::string_view old_text,
   std::size_t y = 0;
   std::size_t offset = 0;  // of line x
   bool is_open = false;
-  for (const Edit edit : Script(a, b)) {
-    if (edit != Edit::kKeep && !is_open)
+  for (const LineEdit edit : FindLineEdits(a, b)) {
+    if (edit != LineEdit::kKeep && !is_open)
       changes.push_back({x, x, offset, offset, ""});
-    is_open = edit != Edit::kKeep;
-    if (edit != Edit::kInsert) offset += a[x++].size();
-    if (edit == Edit::kInsert) changes.back().replacement += b[y];
-    if (edit != Edit::kDelete) ++y;
+    is_open = edit != LineEdit::kKeep;
+    if (edit != LineEdit::kInsert) offset += a[x++].size();
+    if (edit == LineEdit::kInsert) changes.back().replacement += b[y];
+    if (edit != LineEdit::kDelete) ++y;
     if (!is_open) continue;
     changes.back().end_line = x;
     changes.back().end = offset;
