@@ -50,8 +50,8 @@ TEST_CASE("what is wrong with an environment is said", "[environment]") {
   const std::vector<Row> rows = {
       {"a state is missing", "inclined=True,ground=dry", "P2015",
        "no value for state 'temperature'"},
-      {"all are missing", "", "no value for state 'inclined'"},
-      {"no assignment", "inclined", "expected STATE=VALUE"},
+      {"all are missing", "", "P2015", "no value for state 'inclined'"},
+      {"no assignment", "inclined", "P1115", "expected STATE=VALUE"},
       {"twice", "inclined=True,inclined=True,temperature=1,ground=dry", "P2015",
        "state 'inclined' is given twice"},
       {"another language's bool", "inclined=true,temperature=1,ground=dry",

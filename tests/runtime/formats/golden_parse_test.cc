@@ -74,7 +74,7 @@ TEST_CASE("bad golden files are refused at their place", "[golden]") {
        Environments(R"({"environment": "a", "active_rules": []})"), "P5106",
        "1:37", "'string' is missing"},
       {"rule 0", Environments(R"({"environment": "a", "active_rules": [0]})"),
-       "P5103", "1:75", "in 'active_rules', found 0"},
+       "P5104", "1:75", "in 'active_rules', found 0"},
       {"half a body",
        Environments(R"({"environment": "a", "active_rules": [], "string": [],
 "body": []})"),
