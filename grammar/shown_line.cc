@@ -41,7 +41,11 @@ bool IsPrintable(const Character& character) {
   const bool turns_direction =
       code == 0x200E || code == 0x200F || code == 0x061C ||
       (code >= 0x2028 && code <= 0x202E) || (code >= 0x2066 && code <= 0x2069);
-  return character.is_valid && !is_control && !turns_direction;
+  // Carets would stand beside what they mean.
+  const bool is_invisible = code == 0x00AD ||
+                            (code >= 0x200B && code <= 0x200D) ||
+                            code == 0x2060 || code == 0xFEFF || code == 0x180E;
+  return character.is_valid && !is_control && !turns_direction && !is_invisible;
 }
 
 }  // namespace

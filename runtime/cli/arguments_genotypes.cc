@@ -145,7 +145,9 @@ CLI::App* AddImport(CLI::App& app, ImportCommand& command) {
       "Names become the paper's (AJ1 is A2, AJ2 is A1) and the parameters of "
       "joints get\nits order, weight, amplitude, period, phase. What is lost "
       "or was lost before is\nsaid in warnings (W5200). The formats hold no "
-      "settings: those of the paper are\nwritten.\n\n"
+      "settings: those of the paper are\nwritten, with its limits of terms and "
+      "rules (max_terms, max_rules), or larger ones\nwhere the text has "
+      "more.\n\n"
       "  plsc import genotype_robot_12.txt --rename hill=inclined -o r12.pls\n"
       "  plsc import old.txt --format lines | plsc develop -");
   return sub;

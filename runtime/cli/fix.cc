@@ -23,9 +23,10 @@ std::string Quoted(const std::string& text) {
 }
 
 std::string Describe(const MadeFix& fix) {
-  if (fix.removed.empty()) return "inserted " + Quoted(fix.replacement);
-  if (fix.replacement.empty()) return "removed " + Quoted(fix.removed);
-  return Quoted(fix.removed) + " -> " + Quoted(fix.replacement);
+  const std::string note = fix.note.empty() ? "" : " (" + fix.note + ")";
+  if (fix.removed.empty()) return "inserted " + Quoted(fix.replacement) + note;
+  if (fix.replacement.empty()) return "removed " + Quoted(fix.removed) + note;
+  return Quoted(fix.removed) + " -> " + Quoted(fix.replacement) + note;
 }
 
 bool HasErrors(const std::vector<Diagnostic>& diagnostics) {

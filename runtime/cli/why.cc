@@ -123,7 +123,7 @@ std::optional<SymbolPlace> FindPlace(const LoadedProgram& loaded,
   const auto place = FindSymbol(loaded.mapped.map, *offset);
   if (!place)
     io.err << "error: no symbol of a production is here\n"
-           << PlaceExcerpt(loaded.source, {*offset, *offset}, "")
+           << RenderPlace({*offset, *offset}, "", loaded.source)
            << "  = help: point at a symbol between the braces of a rule\n";
   return place;
 }
@@ -161,10 +161,9 @@ Exit Explain(const LoadedProgram& loaded, const Question& question,
     io.out
         << fmt::format("{} of {}\n", SymbolText(genotype, written),
                        RuleText(genotype, written.rule))
-        << PlaceExcerpt(
-               loaded.source,
+        << RenderPlace(
                loaded.mapped.map.rules[written.rule].symbols[written.position],
-               "");
+               "", loaded.source);
   }
   bool is_found = false;
   for (const NamedEnvironment& named : *environments) {

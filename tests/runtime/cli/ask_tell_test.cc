@@ -43,6 +43,11 @@ TEST_CASE("A wrong request is told with its place", "[ask_tell]") {
       {"no JSON", "genotype x", "P5100", "null"},
       {"cut off", R"({"id": 1, "genotype": "pl)", "P5100", "null"},
       {"a list", "[1]", "P5103", "null"},
+      // The library would call itself a million times.
+      {"an id of a million brackets",
+       "{\"id\": " + std::string(1'000'000, '[') + std::string(1'000'000, ']') +
+           ", \"genotype\": \"g\"}",
+       "P5100", "null"},
       {"no genotype", R"({"id": 1})", "P5106", "1"},
       {"a genotype that is no text", R"({"id": 1, "genotype": 2})", "P5103",
        "1"},
