@@ -8,6 +8,7 @@
 #include "runtime/cli/open_run.h"
 #include "runtime/cli/robot_text.h"
 #include "runtime/formats/season_json.h"
+#include "runtime/store/heritage_json.h"
 #include "runtime/store/lock.h"
 
 namespace plsc::cli {
@@ -31,7 +32,7 @@ std::string Origin(const Heritage& heritage, const Alphabet& alphabet) {
   if (heritage.mutation)
     text +=
         fmt::format(", {} of rule {}", MutationName(heritage.mutation->kind),
-                    heritage.mutation->rule + 1);
+                    RuleNumber(*heritage.mutation));
   return text;
 }
 
@@ -56,21 +57,6 @@ std::string LineageText(const std::vector<Ancestor>& lineage,
   return text;
 }
 
-Json HeritageJson(const Heritage& heritage, const Alphabet& alphabet) {
-  Json json;
-  json["parents"] = heritage.parents;
-  json["from_second"] = Json::array();
-  for (const SymbolId head : heritage.from_second)
-    json["from_second"].push_back(alphabet[head].name);
-  json["mutation"] = heritage.mutation
-                         ? Json(MutationName(heritage.mutation->kind))
-                         : Json(nullptr);
-  json["mutated_rule"] =
-      heritage.mutation ? Json(heritage.mutation->rule + 1) : Json(nullptr);
-  json["senses"] = heritage.senses;
-  return json;
-}
-
 Json FitnessesJson(const SeasonFitnesses& fitnesses) {
   Json json = Json::array();
   for (const std::optional<double>& fitness : fitnesses)
@@ -80,23 +66,24 @@ Json FitnessesJson(const SeasonFitnesses& fitnesses) {
 
 Json IndividualJson(const Individual& one,
                     const std::vector<Ancestor>& lineage) {
-  const Alphabet& alphabet = *one.genotype.alphabet;
+  const auto heritage_of = [&](const Heritage& heritage) {
+    return HeritageJson(heritage, *one.genotype.alphabet, one.genotype.states);
+  };
   Json json;
   json["id"] = one.id;
   json["generation"] = one.generation;
-  json.update(HeritageJson(one.heritage, alphabet));
+  json.update(heritage_of(one.heritage));
   json["genotype"] = Print(one.genotype);
   json["seasons"] = Json::array();
   for (const SeasonResult& season : one.evaluation.seasons)
-    json["seasons"].push_back(
-        Json::parse(SeasonJson(one.genotype.name, season)));
+    json["seasons"].push_back(Json::parse(SeasonJson(one.genotype, season)));
   json["lineage"] = Json::array();
   for (const Ancestor& ancestor : lineage) {
     Json of;
     of["distance"] = ancestor.distance;
     of["id"] = ancestor.id;
     of["generation"] = ancestor.generation;
-    of.update(HeritageJson(ancestor.heritage, alphabet));
+    of.update(heritage_of(ancestor.heritage));
     of["fitness"] = FitnessesJson(ancestor.fitnesses);
     json["lineage"].push_back(std::move(of));
   }
@@ -139,7 +126,7 @@ Exit ShowRun(const ShowCommand& command, RunStore& store, Io& io) {
     Json json;
     json["run"] = command.run;
     json["name"] = experiment.name;
-    json["seed"] = experiment.seed;
+    json["seed"] = std::to_string(experiment.seed);
     json["state"] = state;
     json["generations"] = status->generations;
     json["total_generations"] = experiment.generations;

@@ -126,12 +126,12 @@ struct Record {
 };
 
 void PrintSeason(const SimulateCommand& command, const SeasonLife& life,
-                 const Scenario& scenario, const std::string& name, Io& io) {
+                 const Scenario& scenario, const Genotype& genotype, Io& io) {
   if (command.format == OutputFormat::kText) {
     PrintRow(life.result, io.out);
     PrintChange(life.result, scenario, io.out);
   } else {
-    io.out << SeasonJson(name, life.result) << '\n';
+    io.out << SeasonJson(genotype, life.result) << '\n';
   }
   io.out.flush();  // a season takes a while; show each when it is done
 }
@@ -173,7 +173,7 @@ Record LiveAll(const SimulateCommand& command, const ToLive& one, Io& io) {
   Record record;
   while (!lived.is_over()) {
     const SeasonLife life = lived.Next();
-    PrintSeason(command, life, scenario, genotype.name, io);
+    PrintSeason(command, life, scenario, genotype, io);
     const std::string& folder = command.trajectory_folder;
     if (!folder.empty() && !WriteInto(folder, life.result.season + ".csv",
                                       TrajectoryCsv(life.trajectory), io))

@@ -131,7 +131,7 @@ Exit Run(const StudyListCommand& command, Io& io) {
     nlohmann::ordered_json json;
     json["experiment"] = study->experiments[run.experiment].name;
     json["repetition"] = run.repetition;
-    json["seed"] = experiment.seed;
+    json["seed"] = std::to_string(experiment.seed);
     json["evaluations"] = Evaluations(experiment);
     io.out << json.dump() << '\n';
   }

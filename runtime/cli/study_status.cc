@@ -56,7 +56,7 @@ void PrintJson(const std::string& folder, const Study& study,
   nlohmann::ordered_json json;
   json["experiment"] = study.experiments[run.experiment].name;
   json["repetition"] = run.repetition;
-  json["seed"] = experiment.seed;
+  json["seed"] = std::to_string(experiment.seed);
   json["run"] = RunPath(folder, study, run);
   json["state"] = StateName(report.state);
   json["generations"] = report.generations;

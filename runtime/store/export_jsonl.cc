@@ -5,6 +5,7 @@
 #include "compiler/print.h"
 #include "runtime/formats/season_json.h"
 #include "runtime/store/export.h"
+#include "runtime/store/heritage_json.h"
 
 namespace plsc {
 
@@ -21,7 +22,7 @@ std::string RunLine(const RunStore& store) {
   const Experiment& experiment = store.experiment();
   Json run;
   run["name"] = experiment.name;
-  run["seed"] = experiment.seed;
+  run["seed"] = std::to_string(experiment.seed);
   run["evaluations"] = Evaluations(experiment);
   run["seasons"] = Json::array();
   for (const Season& season : experiment.scenario.seasons)
@@ -37,37 +38,19 @@ std::string RunLine(const RunStore& store) {
   return Dump({{"run", run}}) + "\n";
 }
 
-Json HeritageJson(const Individual& one) {
-  const Heritage& heritage = one.heritage;
-  Json json;
-  json["parents"] = heritage.parents;
-  json["from_second"] = Json::array();
-  for (const SymbolId head : heritage.from_second)
-    json["from_second"].push_back((*one.genotype.alphabet)[head].name);
-  json["mutation"] = nullptr;
-  json["mutated_rule"] = nullptr;
-  if (heritage.mutation) {
-    json["mutation"] = MutationName(heritage.mutation->kind);
-    json["mutated_rule"] = heritage.mutation->rule;
-  }
-  json["senses"] = Json::object();
-  for (const auto& [state, value] : heritage.senses)
-    json["senses"][state] = value;
-  return json;
-}
-
 std::string IndividualLine(const Individual& one) {
   Json json;
   json["id"] = one.id;
   json["generation"] = one.generation;
-  json.update(HeritageJson(one));
+  json.update(HeritageJson(one.heritage, *one.genotype.alphabet,
+                           one.genotype.states));
   json["genotype"] = Print(one.genotype);
   std::string text = Dump(json);
   text.pop_back();  // the closing brace: the seasons are still to come
   std::string seasons;
   for (const SeasonResult& season : one.evaluation.seasons) {
     if (!seasons.empty()) seasons += ',';
-    seasons += SeasonJson(one.genotype.name, season);
+    seasons += SeasonJson(one.genotype, season);
   }
   return fmt::format("{{\"individual\":{},\"seasons\":[{}]}}}}\n", text,
                      seasons);

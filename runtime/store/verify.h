@@ -5,6 +5,7 @@
 // found before a run goes on from it.
 
 #include <optional>
+#include <set>
 #include <string>
 
 #include "runtime/store/database.h"
@@ -16,13 +17,19 @@ namespace plsc {
 std::optional<std::string> CheckIdentity(Database& database);
 
 struct Health {
-  /// What is wrong, ready for the user; nothing if all is well.
+  /// What is wrong first, ready for the user; nothing if all is well.
   std::optional<std::string> problem;
   /// From the initial one on, all of whose rows are what was written.
   int whole_generations = 0;
+  /// By id, by id and by number: whose rows are not what was written.
+  std::set<int> births;
+  std::set<int> evaluations;
+  std::set<int> generations;
 };
 
 /// Reads everything: about a second for 10,000 robots.
+Health Examine(Database& database);
+/// Likewise; `problem` says what to do about it, too.
 Health Examine(const std::string& path);
 
 }  // namespace plsc
