@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <map>
-#include <utility>
 
 #include "runtime/evolve/experiment.h"
 #include "runtime/store/row_checks.h"
@@ -91,7 +90,6 @@ class Examination {
 };
 
 Failure Examination::CheckRun() {
-  if (Failure failure = checks_.Run()) return failure;
   Statement run(database_, "SELECT experiment FROM run");
   if (!run.With().Next()) return Wrong("it does not say what the run is");
   Result<Experiment> experiment =
@@ -101,17 +99,17 @@ Failure Examination::CheckRun() {
   experiment_ = std::move(*experiment);
   completed_ =
       static_cast<int>(Single(database_, "SELECT count(*) FROM generation"));
-  return checks_.Completed(experiment_);
+  return database_.TakeFailure();
 }
 
 void Examination::CheckIndividual(int id, int generation, bool is_complete) {
-  if (!Note(checks_.Birth(id, generation))) health_.births.insert(id);
+  if (Note(checks_.Birth(id, generation))) health_.births.insert(id);
   int seasons = 0;
   Failure failure = checks_.Evaluation(id, seasons);
   const auto all = static_cast<int>(experiment_.scenario.seasons.size());
   if (!failure && seasons != all && (is_complete || seasons != 0))
     failure = Wrong(fmt::format("robot {} lacks an evaluation", id));
-  if (!Note(std::move(failure))) health_.evaluations.insert(id);
+  if (Note(std::move(failure))) health_.evaluations.insert(id);
 }
 
 void Examination::CheckGeneration(int number) {
@@ -130,21 +128,24 @@ void Examination::CheckGeneration(int number) {
   }
   for (int id = ids.first; id <= ids.last; ++id)
     CheckIndividual(id, number, is_complete);
-  if (is_complete && !Note(checks_.Generation(number)))
+  if (is_complete && Note(checks_.Generation(number)))
     health_.generations.insert(number);
 }
 
 Health Examination::Take() {
-  if (!Note(CheckIdentity(database_)) || !Note(CheckRun())) return health_;
-  const bool is_whole = Note(CheckStructure(database_));
-  Failure structure = std::exchange(health_.problem, std::nullopt);
+  if (!Note(CheckIdentity(database_)) || !Note(checks_.Run())) return health_;
+  health_.is_run_whole = true;
+  if (!Note(CheckRun())) return health_;
+  const Failure missing = checks_.Completed(experiment_);
+  const Failure broken = missing ? missing : CheckStructure(database_);
   // The last one is under way, if there is one to be made.
   const int last = std::min(completed_ + 1, experiment_.generations);
   for (int g = 0; g < last; ++g) {
     CheckGeneration(g);
-    if (!health_.problem && g < completed_) ++health_.whole_generations;
+    if (!health_.problem && !missing && g < completed_)
+      ++health_.whole_generations;
   }
-  if (!is_whole) health_.problem = std::move(structure);
+  if (broken) health_.problem = broken;
   return health_;
 }
 
