@@ -118,7 +118,7 @@ std::string Render(const Diagnostic& diagnostic, const Source& source,
   std::string text =
       paint(ink, kind) + paint(kBold, ": " + Clip(diagnostic.message)) + "\n";
   text += paint(kBlue, fmt::format("{:>{}}--> ", "", gutter));
-  text += fmt::format("{}:{}:{}\n", source.name(), at.line, at.column);
+  text += fmt::format("{}:{}:{}\n", Escaped(source.name()), at.line, at.column);
   text += ShowPlace(source, {diagnostic.span, '^', diagnostic.label, ink},
                     gutter, paint);
   for (const Label& other : diagnostic.others)

@@ -3,6 +3,7 @@
 #include <ostream>
 
 #include "compiler/compile.h"
+#include "grammar/shown_line.h"
 #include "runtime/cli/commands.h"
 #include "runtime/cli/diagnostic_json.h"
 #include "runtime/cli/github_annotation.h"
@@ -69,7 +70,8 @@ Checked CheckOne(const std::string& name, const CheckCommand& command, Io& io) {
     const Diagnostic& problem = source.diagnostics()[0];
     CheckedFile file{Source(name, ""), {problem}};
     if (is_text)
-      io.err << fmt::format("error[{}]: {}\n", problem.code, problem.message);
+      io.err << fmt::format("error[{}]: {}\n", problem.code,
+                            Escaped(problem.message));
     else
       Show(file, command, io);
     return {std::move(file), false};
@@ -82,7 +84,8 @@ Checked CheckOne(const std::string& name, const CheckCommand& command, Io& io) {
     for (Diagnostic& warning : Lint(*compiled, *source))
       file.diagnostics.push_back(std::move(warning));
   Show(file, command, io);
-  if (compiled && is_text) io.out << Contents(*compiled, source->name());
+  if (compiled && is_text)
+    io.out << Contents(*compiled, Escaped(source->name()));
   return {std::move(file), static_cast<bool>(compiled)};
 }
 

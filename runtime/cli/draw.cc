@@ -5,6 +5,7 @@
 #include <set>
 
 #include "compiler/print.h"
+#include "grammar/shown_line.h"
 #include "runtime/cli/commands.h"
 #include "runtime/cli/open_run.h"
 #include "runtime/cli/output_path.h"
@@ -102,7 +103,7 @@ std::string DifferenceText(const std::vector<DrawnBody>& bodies) {
     has_missing |= !difference.missing.empty();
   }
   std::vector<std::string> parts;
-  const std::string& first = bodies.front().name;
+  const std::string first = Escaped(bodies.front().name);
   if (marks.contains(ModuleMark::kNew))
     parts.push_back("━ not there in " + first);
   if (marks.contains(ModuleMark::kOther))
@@ -120,7 +121,7 @@ std::string TerminalText(const DrawCommand& command, const RobotFound& robot,
   std::vector<std::string> blocks;
   for (std::size_t i = 0; i < grown.bodies.size(); ++i) {
     const DrawnBody& drawn = grown.bodies[i];
-    std::string text = drawn.name + '\n';
+    std::string text = Escaped(drawn.name) + '\n';
     if (!drawn.senses.empty()) text += drawn.senses + '\n';
     if (command.brain)
       text += BrainText(grown.brains[i].phenotype);

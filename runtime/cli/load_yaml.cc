@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <ostream>
 
+#include "grammar/shown_line.h"
+
 namespace plsc::cli {
 
 namespace {
@@ -13,7 +15,7 @@ std::optional<Source> Load(const std::string& path, Io& io) {
   Result<Source> source = ReadSource(path, io);
   if (source) return std::move(*source);
   io.err << fmt::format("error[{}]: {}\n", source.diagnostics()[0].code,
-                        source.diagnostics()[0].message);
+                        Escaped(source.diagnostics()[0].message));
   return std::nullopt;
 }
 
@@ -30,7 +32,7 @@ bool CompleteScenario(Experiment& experiment, const std::string& path, Io& io) {
   const std::vector<Diagnostic> problems = CheckSenses(experiment);
   for (const Diagnostic& problem : problems)
     io.err << fmt::format("error[{}]: {}\n  = help: {}\n", problem.code,
-                          problem.message, problem.help);
+                          Escaped(problem.message), Escaped(problem.help));
   return problems.empty();
 }
 

@@ -4,12 +4,14 @@
 #include <ostream>
 
 #include "compiler/print.h"
+#include "grammar/shown_line.h"
 #include "runtime/cli/commands.h"
 #include "runtime/cli/open_run.h"
 #include "runtime/cli/robot_text.h"
 #include "runtime/formats/season_json.h"
 #include "runtime/store/heritage_json.h"
 #include "runtime/store/lock.h"
+#include "runtime/store/verify.h"
 
 namespace plsc::cli {
 
@@ -114,45 +116,78 @@ Exit ShowIndividual(const ShowCommand& command, RunStore& store, Io& io) {
   return Exit::kFine;
 }
 
+struct Standing {
+  RunStatus status;
+  std::string worker;  ///< who works on it; empty: nobody
+  const char* state = "";
+};
+
+void PrintRunJson(const ShowCommand& command, const RunStore& store,
+                  const Standing& standing, std::ostream& out) {
+  const Experiment& experiment = store.experiment();
+  const RunStatus& status = standing.status;
+  Json json;
+  json["run"] = command.run;
+  json["name"] = experiment.name;
+  json["seed"] = std::to_string(experiment.seed);
+  json["state"] = standing.state;
+  json["generations"] = status.generations;
+  json["total_generations"] = experiment.generations;
+  json["evaluations"] = status.evaluations;
+  json["total_evaluations"] = Evaluations(experiment);
+  json["best"] = status.best == 0 ? Json(nullptr) : Json(status.best);
+  json["versions"] = {{"plsc", store.versions().plsc},
+                      {"ode", store.versions().ode},
+                      {"compiler", store.versions().compiler}};
+  json["verified"] = command.verify;
+  // The path may be any bytes; JSON must stay UTF-8.
+  out << json.dump(-1, ' ', false, Json::error_handler_t::replace) << '\n';
+}
+
+void PrintRunText(const RunStore& store, const Standing& standing,
+                  std::ostream& out) {
+  const Experiment& experiment = store.experiment();
+  const RunStatus& status = standing.status;
+  out << fmt::format(
+      "{} (seed {}), by {}\n{}{}: {} of {} generations, {} of {} robots "
+      "evaluated\n",
+      experiment.name.empty() ? "run without a name" : Escaped(experiment.name),
+      experiment.seed, TellVersions(store.versions()), standing.state,
+      standing.worker.empty() ? "" : " by " + Escaped(standing.worker),
+      status.generations, experiment.generations, status.evaluations,
+      Evaluations(experiment));
+}
+
+void PrintBest(const Individual& best, std::ostream& out) {
+  out << fmt::format("best: {} of generation {}\n", best.id, best.generation);
+  for (const SeasonResult& season : best.evaluation.seasons)
+    out << "  " << SeasonLine(season) << '\n';
+}
+
 Exit ShowRun(const ShowCommand& command, RunStore& store, Io& io) {
   const Loaded<RunStatus> status = store.Status();
   if (!status) return Complain(status.failure(), io);
-  const Experiment& experiment = store.experiment();
   const std::optional<std::string> worker = WhoWorksOn(command.run);
-  const char* state = status->is_finished ? "finished"
-                      : worker            ? "running"
-                                          : "unfinished";
+  const Standing standing{*status, worker.value_or(""),
+                          status->is_finished ? "finished"
+                          : worker            ? "running"
+                                              : "unfinished"};
+  std::optional<Individual> best;
+  if (status->best != 0) {
+    Loaded<Individual> found = store.Find(status->best);
+    if (!found) return Complain(found.failure(), io);
+    best = std::move(*found);
+  }
   if (command.format == OutputFormat::kJson) {
-    Json json;
-    json["run"] = command.run;
-    json["name"] = experiment.name;
-    json["seed"] = std::to_string(experiment.seed);
-    json["state"] = state;
-    json["generations"] = status->generations;
-    json["total_generations"] = experiment.generations;
-    json["evaluations"] = status->evaluations;
-    json["total_evaluations"] = Evaluations(experiment);
-    json["best"] = status->best == 0 ? Json(nullptr) : Json(status->best);
-    json["versions"] = {{"plsc", store.versions().plsc},
-                        {"ode", store.versions().ode},
-                        {"compiler", store.versions().compiler}};
-    io.out << json.dump() << '\n';
+    PrintRunJson(command, store, standing, io.out);
     return Exit::kFine;
   }
-  io.out << fmt::format(
-      "{} (seed {}), by {}\n{}{}: {} of {} generations, {} of {} robots "
-      "evaluated\n",
-      experiment.name.empty() ? "run without a name" : experiment.name,
-      experiment.seed, TellVersions(store.versions()), state,
-      worker ? " by " + *worker : "", status->generations,
-      experiment.generations, status->evaluations, Evaluations(experiment));
-  if (status->best == 0) return Exit::kFine;
-  const Loaded<Individual> best = store.Find(status->best);
-  if (!best) return Complain(best.failure(), io);
-  io.out << fmt::format("best: {} of generation {}\n", status->best,
-                        best->generation);
-  for (const SeasonResult& season : best->evaluation.seasons)
-    io.out << "  " << SeasonLine(season) << '\n';
+  PrintRunText(store, standing, io.out);
+  if (best) PrintBest(*best, io.out);
+  io.out << (command.verify ? "checksums: of all results, and right\n"
+             : best ? "checksums: of the best robot, and right (of all: "
+                      "--verify)\n"
+                    : "checksums: not looked at (--verify does)\n");
   return Exit::kFine;
 }
 
@@ -162,6 +197,9 @@ Exit Run(const ShowCommand& command, Io& io) {
   RunStore store;
   if (const auto failure = store.OpenForReading(command.run))
     return Complain(*failure, io);
+  if (command.verify)
+    if (const auto problem = Examine(command.run).problem)
+      return Complain(*problem, io);
   return command.individual.empty() ? ShowRun(command, store, io)
                                     : ShowIndividual(command, store, io);
 }
