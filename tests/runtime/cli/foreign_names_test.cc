@@ -23,7 +23,7 @@ generations: 2
 scenario:
   name: "\e]0;title\a"
   seasons:
-    - {name: "@sum\e[2J\nflat", terrain: flat, duration: 1 s}
+    - {name: -flat, terrain: flat, duration: 1 s}  # more is refused
 )";
 
 /// Nothing but printable characters and our own ends of lines; and no line
@@ -34,7 +34,6 @@ void CheckHarmless(const std::string& text) {
     return (c < 0x20 && c != '\n') || c == 0x7F;
   }));
   CHECK(text.find("\nerror: forged") == std::string::npos);
-  CHECK(text.find("\nflat") == std::string::npos);
 }
 
 TEST_CASE("Names of runs and seasons are escaped in all texts",
@@ -69,8 +68,6 @@ TEST_CASE("Names of runs and seasons are escaped in all texts",
   }
   CHECK(RunPlsc({"show", run})
             .out.find("=1+1\\x1b[31m\\nerror: forged (seed 1)") == 0);
-  CHECK(RunPlsc({"show", run}).out.find("season @sum\\x1b[2J\\nflat: ") !=
-        std::string::npos);
 }
 
 TEST_CASE("Names in tables are no formulas", "[foreign_names]") {
@@ -84,10 +81,10 @@ TEST_CASE("Names in tables are no formulas", "[foreign_names]") {
   CHECK(runs.find("\r\n\"'=1+1\x1B[31m\nerror: forged\",1,") !=
         std::string::npos);
   const std::string results = ReadFile(folder / "tables/results.csv");
-  CHECK(results.find(",\"'@sum\x1B[2J\nflat\",") != std::string::npos);
-  CHECK(results.find(",@sum") == std::string::npos);
+  CHECK(results.find(",'-flat,") != std::string::npos);
+  CHECK(results.find(",-flat") == std::string::npos);
   // What is measured stays a number, whatever its sign.
-  CHECK(results.find("'-") == std::string::npos);
+  CHECK(results.find("'-0") == std::string::npos);
 }
 
 TEST_CASE("A file's name in a diagnostic is escaped", "[foreign_names]") {
