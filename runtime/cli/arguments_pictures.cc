@@ -9,8 +9,10 @@ namespace plsc::cli {
 namespace {
 
 std::string CheckEnding(const std::string& path) {
-  if (path.ends_with(".svg") || path.ends_with(".png")) return "";
-  return "expected a file that ends in .svg or .png, found '" + path + "'";
+  if (path == "-" || path.ends_with(".svg") || path.ends_with(".png"))
+    return "";
+  return "expected a file that ends in .svg or .png, or -, found '" + path +
+         "'";
 }
 
 }  // namespace
@@ -45,7 +47,8 @@ CLI::App* AddDraw(CLI::App& app, DrawCommand& command) {
   CLI::Option* output =
       sub->add_option("-o,--output", command.output,
                       "the picture, an .svg or a .png; a file that exists is "
-                      "replaced (default: draw in the terminal)")
+                      "replaced; - prints the SVG (default: draw in the "
+                      "terminal)")
           ->option_text("FILE")
           ->check(CheckEnding);
   sub->add_option("--scale", command.scale,
@@ -64,11 +67,13 @@ CLI::App* AddDraw(CLI::App& app, DrawCommand& command) {
       "dashed ones (in the\nterminal double ones) where it has another, a "
       "dotted square where only it has one.\nA module is the same one where it "
       "hangs at the same place of the tree, is of the\nsame kind and rolled "
-      "the same way.\n\n"
+      "the same way. Brains are marked likewise: nodes of the same\nplaces, "
+      "edges between the same nodes, dashed (double) where numbers differ.\n\n"
       "  plsc draw robot.pls\n"
       "  plsc draw robot.pls --env flat --env tilted -o robot.svg\n"
       "  plsc draw robot.pls --colour rule -o robot.png --scale 3\n"
       "  plsc draw robot.pls --brain -o brain.svg\n"
+      "  plsc draw robot.pls -o - | rsvg-convert -f pdf -o robot.pdf\n"
       "  plsc draw run1.sqlite best -o best.svg");
   return sub;
 }

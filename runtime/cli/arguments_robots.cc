@@ -182,8 +182,9 @@ CLI::App* AddTest(CLI::App& app, TestCommand& command) {
   sub->add_flag("--update", command.update,
                 "record what was found as expected, where that differs");
   sub->add_option("--jobs", command.jobs,
-                  "threads (default: one a core); changes no result")
-      ->check(CLI::Range(1, 1024))
+                  "threads (0 and default: one a core that may be used); "
+                  "changes no result")
+      ->check(CLI::Range(0, 1024))
       ->option_text("N");
   sub->add_option("--format", command.format,
                   "text for people (default); json: a test a line; junit: XML "

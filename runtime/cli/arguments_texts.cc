@@ -7,9 +7,10 @@
 namespace plsc::cli {
 
 CLI::App* AddCheck(CLI::App& app, CheckCommand& command) {
-  CLI::App* sub =
-      app.add_subcommand("check", "Say whether files are correct genotypes");
-  sub->add_option("FILE", command.files, "genotype files; - is standard input")
+  CLI::App* sub = app.add_subcommand("check", "Say whether files are correct");
+  sub->add_option("FILE", command.files,
+                  "genotypes, experiments, scenarios, studies, golden files, "
+                  "recordings; - is standard input")
       ->required();
   sub->add_option("--format", command.format,
                   "text for people (default); json: one diagnostic a line; "
@@ -42,8 +43,11 @@ CLI::App* AddCheck(CLI::App& app, CheckCommand& command) {
                 "status");
   sub->footer(
       "Prints every error that can be found, with file:line:column, the line, "
-      "a caret\nand what was expected. Exit status 1 if there is any.\n\n"
+      "a caret\nand what was expected. Exit status 1 if there is any. What a "
+      "file is its text\ntells; of an experiment or a study the scenarios that "
+      "it names are checked, too.\n\n"
       "  plsc check robots/*.pls\n"
+      "  plsc check experiment.yaml\n"
       "  plsc check --format json robot.pls | jq .message\n"
       "  plsc check --format github robots/*.pls    in a workflow\n\n"
       "'plsc explain CODE' says more of a code; 'plsc fix' mends what it can.");

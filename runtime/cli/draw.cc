@@ -6,6 +6,7 @@
 
 #include "compiler/print.h"
 #include "grammar/shown_line.h"
+#include "runtime/brain_difference.h"
 #include "runtime/cli/commands.h"
 #include "runtime/cli/open_run.h"
 #include "runtime/cli/output_path.h"
@@ -21,6 +22,8 @@
 namespace plsc::cli {
 
 namespace {
+
+constexpr std::string_view kStandardOutput = "-";
 
 struct Grown {
   std::vector<DrawnBody> bodies;  ///< by environment
@@ -92,25 +95,47 @@ std::string MakersText(const DrawnBody& drawn,
   return text;
 }
 
-// What the lines of the boxes mean, as far as there are such boxes.
-std::string DifferenceText(const std::vector<DrawnBody>& bodies) {
+// What differs from the first environment, and what its signs mean.
+struct Signs {
   std::set<ModuleMark> marks;
   bool has_missing = false;
+  const char* other;    // what kOther has
+  const char* missing;  // the sign
+};
+
+std::string SignText(const Signs& signs, const std::string& first) {
+  std::vector<std::string> parts;
+  if (signs.marks.contains(ModuleMark::kNew))
+    parts.push_back("━ not there in " + first);
+  if (signs.marks.contains(ModuleMark::kOther))
+    parts.push_back(fmt::format("═ {} than in {}", signs.other, first));
+  if (signs.has_missing)
+    parts.push_back(fmt::format("{} there in {} only", signs.missing, first));
+  if (parts.empty()) return "";
+  return fmt::format("\n{}\n", fmt::join(parts, ", "));
+}
+
+std::string DifferenceText(const std::vector<DrawnBody>& bodies) {
+  Signs signs{{}, false, "another module", "╌ t"};
   for (const DrawnBody& drawn : bodies) {
     const BodyDifference difference =
         CompareBodies(bodies.front().body, drawn.body);
-    marks.insert(difference.marks.begin(), difference.marks.end());
-    has_missing |= !difference.missing.empty();
+    signs.marks.insert(difference.marks.begin(), difference.marks.end());
+    signs.has_missing |= !difference.missing.empty();
   }
-  std::vector<std::string> parts;
-  const std::string first = Escaped(bodies.front().name);
-  if (marks.contains(ModuleMark::kNew))
-    parts.push_back("━ not there in " + first);
-  if (marks.contains(ModuleMark::kOther))
-    parts.push_back("═ another module than in " + first);
-  if (has_missing) parts.push_back("╌ t there in " + first + " only");
-  if (parts.empty()) return "";
-  return fmt::format("\n{}\n", fmt::join(parts, ", "));
+  return SignText(signs, Escaped(bodies.front().name));
+}
+
+std::string DifferenceText(const std::vector<DrawnBrain>& brains) {
+  Signs signs{{}, false, "other numbers", "╌"};
+  for (const DrawnBrain& drawn : brains) {
+    const BrainDifference difference =
+        CompareBrains(brains.front().phenotype, drawn.phenotype);
+    signs.marks.insert(difference.nodes.begin(), difference.nodes.end());
+    signs.marks.insert(difference.edges.begin(), difference.edges.end());
+    signs.has_missing |= difference.has_missing();
+  }
+  return SignText(signs, Escaped(brains.front().name));
 }
 
 std::string TerminalText(const DrawCommand& command, const RobotFound& robot,
@@ -124,7 +149,9 @@ std::string TerminalText(const DrawCommand& command, const RobotFound& robot,
     std::string text = Escaped(drawn.name) + '\n';
     if (!drawn.senses.empty()) text += drawn.senses + '\n';
     if (command.brain)
-      text += BrainText(grown.brains[i].phenotype);
+      text += i == 0 ? BrainText(grown.brains[i].phenotype)
+                     : BrainText(grown.brains[i].phenotype,
+                                 grown.brains.front().phenotype);
     else
       text += BodyText(drawn.body, grown.bodies.front().body, rows);
     if (command.colour == ColourBy::kRule && !command.brain)
@@ -132,7 +159,8 @@ std::string TerminalText(const DrawCommand& command, const RobotFound& robot,
     blocks.push_back(std::move(text));
   }
   return robot.title + "\n\n" + SideBySide(blocks, columns) +
-         (command.brain ? std::string() : DifferenceText(grown.bodies));
+         (command.brain ? DifferenceText(grown.brains)
+                        : DifferenceText(grown.bodies));
 }
 
 Exit WritePicture(const DrawCommand& command, const std::string& svg, Io& io) {
@@ -141,6 +169,10 @@ Exit WritePicture(const DrawCommand& command, const std::string& svg, Io& io) {
     Loaded<std::string> png = PngOf(svg, command.scale);
     if (!png) return Complain(png.failure(), io);
     bytes = std::move(*png);
+  }
+  if (command.output == kStandardOutput) {
+    io.out << bytes;
+    return Exit::kFine;
   }
   if (const auto failure = WriteFile(command.output, bytes))
     return Complain(
@@ -152,7 +184,14 @@ Exit WritePicture(const DrawCommand& command, const std::string& svg, Io& io) {
 }  // namespace
 
 Exit Run(const DrawCommand& command, Io& io) {
-  if (!CanWrite(command.output, {command.file}, io)) return Exit::kBadInput;
+  const bool prints = command.output == kStandardOutput;
+  if (prints && command.terminal) {
+    io.err << "plsc: --terminal and -o - would both print\n"
+              "see 'plsc draw --help'\n";
+    return Exit::kBadUsage;
+  }
+  if (!prints && !CanWrite(command.output, {command.file}, io))
+    return Exit::kBadInput;
   const auto found = FindRobot({command.file, command.individual,
                                 command.environments, command.allow_range},
                                io);

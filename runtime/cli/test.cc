@@ -10,6 +10,7 @@
 #include "runtime/cli/test_files.h"
 #include "runtime/cli/test_junit.h"
 #include "runtime/cli/test_report.h"
+#include "runtime/evolve/worker_count.h"
 
 namespace plsc::cli {
 
@@ -98,11 +99,6 @@ class Teller {
   std::string report_;
 };
 
-std::size_t JobsOf(const TestCommand& command) {
-  if (command.jobs) return static_cast<std::size_t>(*command.jobs);
-  return std::max(1U, std::thread::hardware_concurrency());
-}
-
 }  // namespace
 
 Exit Run(const TestCommand& command, Io& io) {
@@ -115,7 +111,8 @@ Exit Run(const TestCommand& command, Io& io) {
   const FoundTests found = FindTests(command.paths);
   Teller teller(command, io);
   for (const TestedFile& problem : found.problems) teller.Tell(problem);
-  const std::size_t jobs = JobsOf(command);
+  const auto jobs =
+      static_cast<std::size_t>(WorkerCount(command.jobs.value_or(0)));
   for (std::size_t i = 0; i < found.tests.size(); i += kBatch)
     for (TestOutcome& outcome :
          RunBatch(found.tests, i, jobs, command.update)) {

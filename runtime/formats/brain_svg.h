@@ -18,7 +18,9 @@ struct DrawnBrain {
 };
 
 /// A complete SVG file. An edge's width is its weight's size, its colour and
-/// dashes are its sign.
+/// dashes are its sign. What is not as in the first brain is marked: black
+/// under edges and around nodes, dashed where only numbers differ, and below
+/// the brain in words what only the first one has.
 std::string BrainsSvg(const std::string& title,
                       const std::vector<DrawnBrain>& brains);
 

@@ -4,8 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
+#include <numeric>
+#include <string_view>
+#include <utility>
+#include <vector>
 
+#include "runtime/brain_difference.h"
 #include "runtime/formats/history_view.h"
 
 namespace plsc {
@@ -19,25 +23,27 @@ std::string PartOf(const Body& body, const Node& node) {
   return fmt::format("{} {}", ModuleName(type), ModuleId(body, node.module));
 }
 
-void AddNodes(const Phenotype& robot, NodeType type, std::string& text) {
-  std::vector<std::size_t> order;
-  for (std::size_t i = 0; i < robot.brain.nodes.size(); ++i)
-    if (robot.brain.nodes[i].type == type) order.push_back(i);
-  std::stable_sort(
-      order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-        return robot.brain.nodes[a].module < robot.brain.nodes[b].module;
-      });
-  for (const std::size_t i : order) {
-    const Node& node = robot.brain.nodes[i];
-    const std::string name = NodeName(static_cast<int>(i));
-    const std::string part = PartOf(robot.body, node);
-    if (type == NodeType::kInput)
-      text += fmt::format("{:<8} → ( {} )\n", part, name);
-    else
-      text +=
-          fmt::format("( {} ) → {:<6} a {:.2f}, p {:.2f} s, o {:.2f}\n", name,
-                      part, node.amplitude, node.period, node.phase_offset);
-  }
+/// Inputs first, then oscillators, each in the order of their modules.
+std::vector<int> OrderOf(const Brain& brain) {
+  std::vector<int> order(brain.nodes.size());
+  std::iota(order.begin(), order.end(), 0);
+  const auto key = [&](int index) {
+    const Node& node = brain.nodes[static_cast<std::size_t>(index)];
+    return std::pair(node.type != NodeType::kInput, node.module);
+  };
+  std::stable_sort(order.begin(), order.end(),
+                   [&](int one, int other) { return key(one) < key(other); });
+  return order;
+}
+
+std::string NodeLine(const Phenotype& robot, int index) {
+  const Node& node = robot.brain.nodes[static_cast<std::size_t>(index)];
+  const std::string name = NodeName(index);
+  const std::string part = PartOf(robot.body, node);
+  if (node.type == NodeType::kInput)
+    return fmt::format("{:<8} → ( {} )\n", part, name);
+  return fmt::format("( {} ) → {:<6} a {:.2f}, p {:.2f} s, o {:.2f}\n", name,
+                     part, node.amplitude, node.period, node.phase_offset);
 }
 
 std::string Bar(double weight) {
@@ -48,20 +54,49 @@ std::string Bar(double weight) {
   return bar;
 }
 
+std::string EdgeLine(const Connection& edge) {
+  const bool is_loop = edge.source == edge.destination;
+  return fmt::format("{:>7} {} {:<7} {:+.2f} {}\n", NodeName(edge.source),
+                     is_loop ? "↺" : "→",
+                     is_loop ? std::string() : NodeName(edge.destination),
+                     edge.weight, Bar(edge.weight));
+}
+
+std::string_view SignOf(ModuleMark mark) {
+  return mark == ModuleMark::kNew     ? "━ "
+         : mark == ModuleMark::kOther ? "═ "
+                                      : "  ";
+}
+
+constexpr const char* kNoBrain = "no sensor, no joint: no brain\n";
+
 }  // namespace
 
 std::string BrainText(const Phenotype& robot) {
-  if (robot.brain.nodes.empty()) return "no sensor, no joint: no brain\n";
+  if (robot.brain.nodes.empty()) return kNoBrain;
   std::string text;
-  AddNodes(robot, NodeType::kInput, text);
-  AddNodes(robot, NodeType::kOscillator, text);
-  for (const Connection& edge : robot.brain.connections) {
-    const bool is_loop = edge.source == edge.destination;
-    text += fmt::format("{:>7} {} {:<7} {:+.2f} {}\n", NodeName(edge.source),
-                        is_loop ? "↺" : "→",
-                        is_loop ? std::string() : NodeName(edge.destination),
-                        edge.weight, Bar(edge.weight));
+  for (const int node : OrderOf(robot.brain)) text += NodeLine(robot, node);
+  for (const Connection& edge : robot.brain.connections) text += EdgeLine(edge);
+  return text;
+}
+
+std::string BrainText(const Phenotype& robot, const Phenotype& reference) {
+  const BrainDifference difference = CompareBrains(reference, robot);
+  std::string text = robot.brain.nodes.empty() ? kNoBrain : "";
+  for (const int node : OrderOf(robot.brain)) {
+    text += SignOf(difference.nodes[static_cast<std::size_t>(node)]);
+    text += NodeLine(robot, node);
   }
+  for (std::size_t i = 0; i < difference.edges.size(); ++i) {
+    text += SignOf(difference.edges[i]);
+    text += EdgeLine(robot.brain.connections[i]);
+  }
+  for (const int node : difference.missing_nodes)
+    text += "╌ " + NodeLine(reference, node);
+  for (const int edge : difference.missing_edges)
+    text +=
+        "╌ " +
+        EdgeLine(reference.brain.connections[static_cast<std::size_t>(edge)]);
   return text;
 }
 

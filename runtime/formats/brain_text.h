@@ -13,4 +13,8 @@ namespace plsc {
 /// modules. Lines end in a newline and carry no trailing blanks.
 std::string BrainText(const Phenotype& phenotype);
 
+/// Likewise, each line behind what it is to the reference: "━" not there, "═"
+/// there with other numbers, "╌" (at the end, of the reference) there only.
+std::string BrainText(const Phenotype& phenotype, const Phenotype& reference);
+
 }  // namespace plsc

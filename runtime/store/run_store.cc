@@ -8,6 +8,7 @@
 #include <cassert>
 #include <cerrno>
 #include <filesystem>
+#include <map>
 #include <set>
 #include <system_error>
 #include <utility>
@@ -73,6 +74,13 @@ std::map<std::string, int> SeasonIds(const Experiment& experiment) {
   for (const Season& season : experiment.scenario.seasons)
     ids.emplace(season.name, static_cast<int>(ids.size()) + 1);
   return ids;
+}
+
+bool HasDied(const Evaluation& evaluation) {
+  return std::any_of(evaluation.seasons.begin(), evaluation.seasons.end(),
+                     [](const SeasonResult& season) {
+                       return season.outcome == Outcome::kWorkerDied;
+                     });
 }
 
 }  // namespace
@@ -226,16 +234,23 @@ Loaded<SavedRun> RunStore::Load() {
           "'{}' is damaged: its last generation cannot be read", path()));
       return parts_->Tell(saved);
     }
+    std::map<int, int> counts;  // by id
+    for (std::size_t i = 0; i < last->pool.size(); ++i)
+      counts[last->pool[i]] = last->counts[i];
     for (const int id : last->survivors) {
       saved.population.push_back(reader.FindIndividual(id));
-      const auto place = std::find(last->pool.begin(), last->pool.end(), id);
-      saved.counts.push_back(
-          last->counts[static_cast<std::size_t>(place - last->pool.begin())]);
+      saved.counts.push_back(counts[id]);
     }
     next = *std::max_element(last->pool.begin(), last->pool.end()) + 1;
   }
-  for (const int id : reader.EvaluatedSince(next))
-    saved.evaluated.emplace(id, reader.FindEvaluation(id));
+  for (const int id : reader.EvaluatedSince(next)) {
+    Evaluation evaluation = reader.FindEvaluation(id);
+    // Nothing was selected by its death yet, so it is as if it never was.
+    if (HasDied(evaluation))
+      --saved.evaluations;
+    else
+      saved.evaluated.emplace(id, std::move(evaluation));
+  }
   return parts_->Tell(std::move(saved));
 }
 
@@ -363,9 +378,10 @@ Failure RunStore::EndSession(const SessionEnd& end) {
   return parts_->database.TakeFailure();
 }
 
-Failure RunStore::OnBirths(const std::vector<Individual>& born) {
+Failure RunStore::OnBirths(const std::vector<Individual>& born,
+                           const std::function<bool()>& should_stop) {
   assert(parts_->writer);
-  return parts_->writer->Births(born);
+  return parts_->writer->Births(born, should_stop);
 }
 
 Failure RunStore::OnEvaluated(const Individual& one,

@@ -8,6 +8,7 @@
 // for bit, whatever the order in which evaluations arrive.
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -80,7 +81,9 @@ class RunStore : public RunObserver, public SimulationCache {
   /// Of the program that created it.
   const Versions& versions() const;
 
-  /// All of this is empty in a run that was created and left at once.
+  /// All of this is empty in a run that was created and left at once. Those of
+  /// the generation under way whose workers died are as not evaluated yet:
+  /// OnEvaluated replaces them.
   Loaded<SavedRun> Load();
   Loaded<RunStatus> Status();
   /// With its evaluation, if it has one, every field as it was, bit for bit
@@ -101,7 +104,8 @@ class RunStore : public RunObserver, public SimulationCache {
   Failure BeginSession(const SessionStart& start);
   Failure EndSession(const SessionEnd& end);
 
-  Failure OnBirths(const std::vector<Individual>& born) override;
+  Failure OnBirths(const std::vector<Individual>& born,
+                   const std::function<bool()>& should_stop) override;
   Failure OnEvaluated(const Individual& one,
                       const std::vector<SeasonEvidence>& evidence) override;
   Failure OnGeneration(const GenerationRecord& record) override;

@@ -7,6 +7,7 @@
 
 #include "runtime/key.h"
 #include "runtime/yaml_reader.h"
+#include "runtime/yaml_text.h"
 
 namespace plsc {
 

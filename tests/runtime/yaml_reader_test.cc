@@ -70,7 +70,7 @@ TEST_CASE("Every mistake is shown where it is", "[yaml]") {
       {"a word for a number",
        "duration: long\n",
        {"error[P5103]: expected a time, found 'long'", "test.yaml:1:11", "^^^^",
-        "write it as in '50 s'"}},
+        "write it as in '1 s'"}},
       {"a wrong unit",
        "duration: 50 m\n",
        {"error[P5105]: expected a time in s, ms or min, found 'm'", "^^^^"}},
@@ -79,7 +79,7 @@ TEST_CASE("Every mistake is shown where it is", "[yaml]") {
        {"error[P5104]: expected at least 0 s and at most 60 s, found 100 s"}},
       {"a number in quotes",
        "duration: '50'\n",
-       {"expected a time, found a text in quotes", "write it without quotes",
+       {"expected a time, found a text in quotes", "write '50', without quotes",
         "^^^^"}},
       {"a map for a number",
        "duration: {a: 1}\n",
@@ -178,19 +178,6 @@ TEST_CASE("A map of very many keys is read", "[yaml]") {
   root->Close();
   REQUIRE(file.diagnostics().size() == 1);
   CHECK(file.diagnostics()[0].code == "P5102");
-}
-
-TEST_CASE("Printed texts read back", "[yaml]") {
-  for (const std::string text :
-       {"plain", "two words", "True", "null", "5", "a: b", "it's", "\"x\"",
-        "- a", "tab\there", "line\nbreak", "#no comment", "", "\xC3\xA4"}) {
-    CAPTURE(text);
-    const Source source("test.yaml", "key: " + PrintYamlText(text) + "\n");
-    const YamlFile file(source);
-    auto root = file.Root("a test");
-    REQUIRE(root);
-    CHECK(root->Find("key")->text() == text);
-  }
 }
 
 }  // namespace plsc

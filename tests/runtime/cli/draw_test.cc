@@ -46,6 +46,27 @@ TEST_CASE("draw shows brains in the terminal", "[draw]") {
   CHECK(ran.out.find("( node1 ) → A2 2 ") != std::string::npos);
 }
 
+TEST_CASE("draw tells how brains differ", "[draw]") {
+  const auto ran = RunPlsc({"draw", "-", "--brain"}, kPlasticText);
+  REQUIRE(ran.exit == 0);
+  CHECK(ran.out.find("━ ( node1 ) → A2 2 ") != std::string::npos);
+  CHECK(ran.out.ends_with("\n━ not there in flat\n"));
+}
+
+TEST_CASE("draw prints a picture", "[draw]") {
+  const test::TemporaryFolder folder;
+  const std::string path = folder / "robot.svg";
+  REQUIRE(RunPlsc({"draw", "-", "-o", path}, kPlasticText).exit == 0);
+  const auto printed = RunPlsc({"draw", "-", "-o", "-"}, kPlasticText);
+  CHECK(printed.exit == 0);
+  CHECK(printed.out == ReadFile(path));
+  CHECK(printed.err.empty());
+  const auto both =
+      RunPlsc({"draw", "-", "-o", "-", "--terminal"}, kPlasticText);
+  CHECK(both.exit == 2);
+  CHECK(both.out.empty());
+}
+
 TEST_CASE("draw writes one picture of all environments", "[draw]") {
   const test::TemporaryFolder folder;
   const std::string path = folder / "robot.svg";

@@ -98,6 +98,11 @@ TEST_CASE("A scenario of its own file is left to the caller", "[experiment]") {
   CHECK(errors[0].message.find("'unheard_of'") != std::string::npos);
 }
 
+TEST_CASE("The largest population is one of the paper's genotypes",
+          "[experiment]") {
+  CHECK(Errors("population: 100000\noffspring: 100000\n").empty());
+}
+
 TEST_CASE("Mistakes in an experiment are shown where they are",
           "[experiment]") {
   struct Row {
@@ -111,7 +116,19 @@ TEST_CASE("Mistakes in an experiment are shown where they are",
        {"unknown key 'popullation'", "did you mean 'population'?"}},
       {"nobody to choose parents from",
        "population: 1\n",
-       {"expected a whole number of 2 to 1000000, found 1"}},
+       {"expected a whole number of 2 to 100000, found 1"}},
+      {"a population beyond memory",
+       "population: 1000000\n",
+       {"expected a whole number of 2 to 100000, found 1000000",
+        "held in memory", "test.yaml:1:13"}},
+      {"as many children",
+       "offspring: 100001\n",
+       {"expected a whole number of 1 to 100000, found 100001"}},
+      {"genotypes beyond memory",
+       "max_rules: 1000\nmax_groups: 1000\npopulation: 5\n",
+       {"105 robots of up to 25005000 symbols each are more than the 50000000 "
+        "symbols that memory is meant for",
+        "test.yaml:3:13", "'max_groups' smaller"}},
       {"no generation", "generations: 0\n", {"found 0"}},
       {"a percentage",
        "mutation: 80\n",
@@ -181,7 +198,7 @@ TEST_CASE("Mistakes in an experiment are shown where they are",
        "scenario:\n  seasons: [{duration: 5 kg}]\n  sedn: 1\n",
        {"expected a time in s, ms or min, found 'kg'", "unknown key 'sedn'"}},
       {"more robots than numbers",
-       "generations: 1000000\noffspring: 1000000\n",
+       "generations: 1000000\noffspring: 100000\n",
        {"more than can be numbered", "test.yaml:1:14"}},
       {"a newer format", "plsc_experiment: 2\n", {"found 2"}},
       {"a name of robots with a blank",

@@ -42,6 +42,25 @@ TEST_CASE("several environments stand side by side", "[brain_svg]") {
   CHECK(Count(svg, ">positive weight<") == 0);
 }
 
+TEST_CASE("what is not as in the first environment is marked", "[brain_svg]") {
+  const Phenotype first =
+      Robot("add_left T(0.5) add_front A1(-0.7,1.6,6.4,2.3) loop(-1)");
+  const Phenotype other =
+      Robot("add_left T(0.5) add_front A1(-0.7,1.6,6.4,2) add_right T(0.5)");
+  const std::string svg =
+      BrainsSvg("robot", {{"flat", "", first}, {"hill", "", other}});
+  // The new sensor's node and edge, the joint's other phase, and the legend.
+  CHECK(Count(svg, R"(class="mark")") == 3 + 2);
+  CHECK(Count(svg, R"(class="mark" stroke-dasharray)") == 1 + 1);
+  CHECK(Count(svg, ">not there in flat<") == 1);
+  CHECK(Count(svg, ">other numbers than in flat<") == 1);
+  CHECK(Count(svg, ">only in flat: loop of A1 2, -1.00<") == 1);
+  const std::string same =
+      BrainsSvg("robot", {{"flat", "", first}, {"hill", "", first}});
+  CHECK(Count(same, R"(class="mark")") == 0);
+  CHECK(Count(same, "only in") == 0);
+}
+
 TEST_CASE("a brain of many edges has them without labels", "[brain_svg]") {
   // Six joints and two sensors, then edges from each sensor to each joint; more
   // than fit.

@@ -261,7 +261,7 @@ TEST_CASE("A journal that is missing or garbage costs what was in it at most",
         std::vector<Individual> born;
         for (const int id : run.births[g])
           born.push_back(run.individuals[static_cast<std::size_t>(id - 1)]);
-        REQUIRE(store.OnBirths(born) == std::nullopt);
+        REQUIRE(store.OnBirths(born, {}) == std::nullopt);
         for (const Individual& one : born)
           if (!saved->evaluated.contains(one.id))
             REQUIRE(

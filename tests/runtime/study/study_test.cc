@@ -163,7 +163,7 @@ TEST_CASE("Mistakes in a study are shown where they are, and once", "[study]") {
       {"no repetitions", "repetitions: 0\nexperiments: {a: {}}\n", {"found 0"}},
       {"a newer format",
        "plsc_study: 2\nexperiments: {a: {}}\n",
-       {"expected a whole number of 1 to 1, found 2"}},
+       {"expected 1, found 2"}},
       {"not YAML", "experiments: {\n", {"this is not YAML"}}};
   for (const Row& row : rows) {
     DYNAMIC_SECTION(row.why) {
