@@ -111,7 +111,7 @@ std::string ShowPlaceAndName(const Source& source, const Place& place,
                              std::size_t gutter, const Painter& paint) {
   const Position at = source.PositionOf(place.span.begin);
   return paint(kBlue, fmt::format("{:>{}}--> ", "", gutter)) +
-         fmt::format("{}:{}:{}\n", source.name(), at.line, at.column) +
+         fmt::format("{}:{}:{}\n", Escaped(source.name()), at.line, at.column) +
          ShowPlace(source, place, gutter, paint);
 }
 

@@ -72,7 +72,7 @@ std::string IdOfRequest(const std::string& line) {
   return json["id"].dump();
 }
 
-std::string EvaluationAnswer(const std::string& id, const std::string& genotype,
+std::string EvaluationAnswer(const std::string& id, const Genotype& genotype,
                              const Evaluation& evaluation) {
   Json fitness = Json::object();
   std::string seasons;

@@ -236,6 +236,7 @@ struct ShowCommand {
   std::string individual;  ///< an id or "best"; empty: the run as a whole
   int lineage = 3;         ///< births back
   bool genotype = false;   ///< its text and nothing else
+  bool verify = false;     ///< all of the run
   OutputFormat format = OutputFormat::kText;
 };
 
@@ -302,6 +303,7 @@ struct ReportCommand {
   std::string output;              ///< empty: standard output, kJson only
   std::string measures = "paper";
   ReportFormat format = ReportFormat::kHtml;
+  bool verify = false;
   bool quiet = false;
 };
 

@@ -46,7 +46,7 @@ OneChild CrossOne(const Program& first, const Genotype& second,
                    ? "no rules of the second parent"
                    : fmt::format("rules of {} from the second parent",
                                  fmt::join(from_second, ", "));
-  child.what = {{"seed", key.seed},
+  child.what = {{"seed", std::to_string(key.seed)},
                 {"generation", key.generation},
                 {"individual", key.individual},
                 {"from_second", from_second}};

@@ -6,6 +6,7 @@
 #include <ostream>
 
 #include "compiler/print.h"
+#include "grammar/shown_line.h"
 #include "runtime/cli/commands.h"
 #include "runtime/cli/program.h"
 #include "runtime/derive.h"
@@ -80,7 +81,7 @@ void PrintText(const Genotype& genotype, const NamedEnvironment& named,
                const Developed& developed, std::ostream& out) {
   const std::string senses =
       PrintEnvironment(named.environment, genotype.states);
-  out << fmt::format("{} in {}", genotype.name, named.name);
+  out << fmt::format("{} in {}", genotype.name, Escaped(named.name));
   if (!senses.empty() && senses != named.name) out << " (" << senses << ")";
   out << fmt::format(": {} of {} rules active, {} symbols\n",
                      developed.active.rules.size(), genotype.rules.size(),

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "compiler/print.h"
+#include "grammar/shown_line.h"
 #include "runtime/brain_difference.h"
 #include "runtime/cli/commands.h"
 #include "runtime/cli/open_run.h"
@@ -122,7 +123,7 @@ std::string DifferenceText(const std::vector<DrawnBody>& bodies) {
     signs.marks.insert(difference.marks.begin(), difference.marks.end());
     signs.has_missing |= !difference.missing.empty();
   }
-  return SignText(signs, bodies.front().name);
+  return SignText(signs, Escaped(bodies.front().name));
 }
 
 std::string DifferenceText(const std::vector<DrawnBrain>& brains) {
@@ -134,7 +135,7 @@ std::string DifferenceText(const std::vector<DrawnBrain>& brains) {
     signs.marks.insert(difference.edges.begin(), difference.edges.end());
     signs.has_missing |= difference.has_missing();
   }
-  return SignText(signs, brains.front().name);
+  return SignText(signs, Escaped(brains.front().name));
 }
 
 std::string TerminalText(const DrawCommand& command, const RobotFound& robot,
@@ -145,7 +146,7 @@ std::string TerminalText(const DrawCommand& command, const RobotFound& robot,
   std::vector<std::string> blocks;
   for (std::size_t i = 0; i < grown.bodies.size(); ++i) {
     const DrawnBody& drawn = grown.bodies[i];
-    std::string text = drawn.name + '\n';
+    std::string text = Escaped(drawn.name) + '\n';
     if (!drawn.senses.empty()) text += drawn.senses + '\n';
     if (command.brain)
       text += i == 0 ? BrainText(grown.brains[i].phenotype)

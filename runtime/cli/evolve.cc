@@ -21,7 +21,7 @@ void PrintJson(const EvolveCommand& command, const RunOutcome& outcome,
   const auto& [exit, is_locked, experiment, result, effort] = outcome;
   nlohmann::ordered_json json;
   json["experiment"] = experiment.name;
-  json["seed"] = experiment.seed;
+  json["seed"] = std::to_string(experiment.seed);
   json["finished"] = result.ending == Ending::kFinished;
   json["generations"] = result.generations;
   json["evaluations"] = result.evaluations;

@@ -102,10 +102,12 @@ Failure ExportTables(const ExportCommand& command) {
   if (error)
     return fmt::format("cannot create '{}': {}", command.csv_folder,
                        error.message());
-  Failure first;
+  CsvExport run;
+  if (Failure failure = run.Open(command.file)) return failure;
+  Failure first = run.damage();
   for (const CsvTable& table : CsvTables()) {
     Failure failure = WriteFileWith(path_of(table), [&](const Sink& sink) {
-      return WriteCsv(command.file, table, sink);
+      return run.Write(table, sink);
     });
     if (failure && !first) first = std::move(failure);
   }

@@ -9,6 +9,7 @@
 #include <system_error>
 #include <utility>
 
+#include "grammar/shown_line.h"
 #include "runtime/cli/open_run.h"
 #include "runtime/cli/output_path.h"
 #include "runtime/cli/program.h"
@@ -51,8 +52,8 @@ void WarnOfOverlaps(const RobotModel& model, Io& io) {
   io.err << fmt::format(
       "warning: in {}, {} pairs of parts overlap, first {} and {}: plsc "
       "simulates no such robot, and other programs push them apart\n",
-      model.environment, overlaps.size(), box_name(first.link_a, first.box_a),
-      box_name(first.link_b, first.box_b));
+      Escaped(model.environment), overlaps.size(),
+      box_name(first.link_a, first.box_a), box_name(first.link_b, first.box_b));
 }
 
 /// Once for all robots: what their files do not say.
@@ -62,7 +63,8 @@ void WarnOfLeftOut(ExportFormat format, const std::vector<RobotModel>& models,
   for (const RobotModel& model : models) {
     const std::string left_out = LeftOut(format, model);
     if (!left_out.empty())
-      parts.push_back(fmt::format("in {} {}", model.environment, left_out));
+      parts.push_back(
+          fmt::format("in {} {}", Escaped(model.environment), left_out));
   }
   if (parts.empty()) return;
   io.err << fmt::format(
@@ -105,7 +107,8 @@ bool AsksFolder(const std::string& path) {
 Exit AskForOne(const std::vector<RobotModel>& models, Io& io) {
   std::vector<std::string> names;
   names.reserve(models.size());
-  for (const RobotModel& model : models) names.push_back(model.environment);
+  for (const RobotModel& model : models)
+    names.push_back(Escaped(model.environment));
   io.err << fmt::format(
       "plsc: {} robots, a file each (in {}); choose one with --env, or name a "
       "folder with -o\nsee 'plsc export --help'\n",
@@ -150,7 +153,7 @@ Exit WriteAll(const std::vector<RobotFile>& files, Io& io) {
     if (const auto failure = WriteFile(file.path, file.text))
       return Complain(fmt::format("cannot write '{}': {}", file.path, *failure),
                       io);
-    io.err << fmt::format("wrote {}\n", file.path);
+    io.err << fmt::format("wrote {}\n", Escaped(file.path));
   }
   return Exit::kFine;
 }

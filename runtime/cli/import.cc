@@ -8,6 +8,7 @@
 #include "compiler/compile.h"
 #include "compiler/print.h"
 #include "grammar/keywords.h"
+#include "grammar/shown_line.h"
 #include "runtime/cli/commands.h"
 #include "runtime/cli/output_path.h"
 #include "runtime/formats/authors_genotype.h"
@@ -82,7 +83,7 @@ Exit Run(const ImportCommand& command, Io& io) {
   const Result<Source> source = ReadSource(command.file, io);
   if (!source) {
     io.err << fmt::format("error[{}]: {}\n", source.diagnostics()[0].code,
-                          source.diagnostics()[0].message);
+                          Escaped(source.diagnostics()[0].message));
     return Exit::kBadInput;
   }
   ImportOptions options;

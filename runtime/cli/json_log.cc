@@ -95,7 +95,7 @@ void JsonLog::Start(const JsonLogStart& start) {
   json["log"] = 1;  // of this format
   json["run"] = start.run;
   json["experiment"] = start.experiment;
-  json["seed"] = start.seed;
+  json["seed"] = std::to_string(start.seed);
   json["generations"] = start.generations;
   json["evaluations"] = start.evaluations;
   json["total"] = start.total;

@@ -8,6 +8,7 @@
 #include "compiler/compile.h"
 #include "compiler/merge_lines.h"
 #include "compiler/merge_program.h"
+#include "grammar/shown_line.h"
 #include "runtime/cli/commands.h"
 #include "runtime/cli/output_path.h"
 
@@ -43,7 +44,8 @@ std::optional<Version> ReadVersion(const std::string& path,
   Result<Source> read = ReadSource(path, io);
   if (!read) {
     const Diagnostic& problem = read.diagnostics()[0];
-    io.err << fmt::format("error[{}]: {}\n", problem.code, problem.message);
+    io.err << fmt::format("error[{}]: {}\n", problem.code,
+                          Escaped(problem.message));
     return std::nullopt;
   }
   Source source = command.is_driver && !command.path.empty()

@@ -43,10 +43,10 @@ const char* VerbOf(MutationKind kind) {
 }
 
 // Rules are told as those of the parent.
-std::string RuleText(const Genotype& parent, std::size_t rule) {
-  const Rule& one = parent.rules[rule];
+std::string RuleText(const Genotype& parent, const Mutation& mutation) {
+  const Rule& one = parent.rules[mutation.rule];
   return fmt::format(
-      "rule {} ({}{})", rule + 1, (*parent.alphabet)[one.head].name,
+      "rule {} ({}{})", RuleNumber(mutation), (*parent.alphabet)[one.head].name,
       one.clause.is_always() ? "" : " if " + PrintClause(one.clause, parent));
 }
 
@@ -62,16 +62,16 @@ OneChild MutateOne(const Program& parent, const HowToMutate& how,
   child.program.tests.clear();
   child.program.genotype = Mutate(parent.genotype, mutation, rng, how.options);
   const bool has_changed = child.program.genotype != parent.genotype;
-  const std::string rule = RuleText(parent.genotype, mutation.rule);
+  const std::string rule = RuleText(parent.genotype, mutation);
   child.told = has_changed
                    ? fmt::format("{} {}", VerbOf(mutation.kind), rule)
                    : fmt::format("nothing changed: {} of {} had no effect",
                                  MutationName(mutation.kind), rule);
-  child.what = {{"seed", key.seed},
+  child.what = {{"seed", std::to_string(key.seed)},
                 {"generation", key.generation},
                 {"individual", key.individual},
                 {"mutation", MutationName(mutation.kind)},
-                {"rule", mutation.rule + 1},
+                {"rule", RuleNumber(mutation)},
                 {"changed", has_changed}};
   return child;
 }

@@ -1,4 +1,5 @@
 #include "runtime/report/report.h"
+#include "grammar/shown_line.h"
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
@@ -76,7 +77,7 @@ Told TellProblems(const StudyReport& report, Io& io) {
   for (const ReportRun& run : report.runs) {
     if (run.reading.state == RunState::kDamaged) {
       ++told.damaged;
-      io.err << fmt::format("error: {}\n", run.reading.problem);
+      io.err << fmt::format("error: {}\n", Escaped(run.reading.problem));
     } else if (run.reading.state != RunState::kMissing) {
       ++told.readable;
     }
@@ -98,7 +99,7 @@ Exit Write(const ReportCommand& command, const StudyReport& report, Io& io) {
     return Complain(
         fmt::format("cannot write '{}': {}", command.output, *failure), io);
   if (!command.quiet)
-    io.out << fmt::format("{}: {}\n", command.output, Summary(report));
+    io.out << fmt::format("{}: {}\n", Escaped(command.output), Summary(report));
   return Exit::kFine;
 }
 
@@ -121,7 +122,8 @@ Exit Run(const ReportCommand& command, Io& io) {
   ReadingLine line(io, !command.quiet);
   const StudyReport report = BuildReport(
       *inputs, *measures,
-      [&](std::size_t done, std::size_t total) { line.Show(done, total); });
+      [&](std::size_t done, std::size_t total) { line.Show(done, total); },
+      command.verify);
   const Told told = TellProblems(report, io);
   if (told.readable == 0 && told.damaged == 0)
     return Complain("none of these runs is begun yet", io);

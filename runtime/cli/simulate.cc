@@ -5,6 +5,7 @@
 #include <utility>
 #include <variant>
 
+#include "grammar/shown_line.h"
 #include "runtime/cli/commands.h"
 #include "runtime/cli/interrupt.h"
 #include "runtime/cli/load_yaml.h"
@@ -43,12 +44,12 @@ void PrintRow(const SeasonResult& result, std::ostream& out) {
   const std::string fitness =
       result.fitness ? fmt::format("{:.5f}", *result.fitness) : "none";
   out << fmt::format("{:<12} {:>5} {:>6} {:>7} {:>11} {:>8} {:>9}  {}\n",
-                     result.season, result.body.absolute_size,
+                     Escaped(result.season), result.body.absolute_size,
                      result.body.hinge_count, result.body.touch_sensor_count,
                      speed, balance, fitness, OutcomeName(result.outcome));
   if (!result.reason.empty())
     out << fmt::format("  {}: {}\n", OutcomeName(result.outcome),
-                       result.reason);
+                       Escaped(result.reason));
 }
 
 // When and why the robot is what it is.
@@ -65,7 +66,7 @@ void PrintChange(const SeasonResult& result, const Scenario& scenario,
                      : result.change == Change::kBrain
                          ? "the same body, another brain"
                          : "another body";
-  out << fmt::format("  {}{}: {}\n", what, when, result.change_reason);
+  out << fmt::format("  {}{}: {}\n", what, when, Escaped(result.change_reason));
 }
 
 // A dash where there is nothing to describe: 0 would be a lie.
@@ -90,7 +91,7 @@ void PrintDescriptors(const std::vector<SeasonResult>& results,
   out << fmt::format("\n{:<28}", "descriptor");
   std::vector<decltype(DescriptorsOf(results.front()))> columns;
   for (const SeasonResult& result : results) {
-    out << fmt::format(" {:>12}", result.season);
+    out << fmt::format(" {:>12}", Escaped(result.season));
     columns.push_back(DescriptorsOf(result));
   }
   out << '\n';
@@ -126,12 +127,12 @@ struct Record {
 };
 
 void PrintSeason(const SimulateCommand& command, const SeasonLife& life,
-                 const Scenario& scenario, const std::string& name, Io& io) {
+                 const Scenario& scenario, const Genotype& genotype, Io& io) {
   if (command.format == OutputFormat::kText) {
     PrintRow(life.result, io.out);
     PrintChange(life.result, scenario, io.out);
   } else {
-    io.out << SeasonJson(name, life.result) << '\n';
+    io.out << SeasonJson(genotype, life.result) << '\n';
   }
   io.out.flush();  // a season takes a while; show each when it is done
 }
@@ -173,7 +174,7 @@ Record LiveAll(const SimulateCommand& command, const ToLive& one, Io& io) {
   Record record;
   while (!lived.is_over()) {
     const SeasonLife life = lived.Next();
-    PrintSeason(command, life, scenario, genotype.name, io);
+    PrintSeason(command, life, scenario, genotype, io);
     const std::string& folder = command.trajectory_folder;
     if (!folder.empty() && !WriteInto(folder, life.result.season + ".csv",
                                       TrajectoryCsv(life.trajectory), io))
@@ -197,9 +198,10 @@ Exit Run(const SimulateCommand& command, Io& io) {
     return Exit::kBadInput;
 
   if (command.format == OutputFormat::kText) {
-    io.out << fmt::format("{} in scenario {} (profile {})\n", genotype.name,
-                          scenario.name.empty() ? "of no name" : scenario.name,
-                          ProfileName(scenario.profile));
+    io.out << fmt::format(
+        "{} in scenario {} (profile {})\n", genotype.name,
+        scenario.name.empty() ? "of no name" : Escaped(scenario.name),
+        ProfileName(scenario.profile));
     PrintHeader(io.out);
   }
   // Samples mean nothing without the constants that they were made with.

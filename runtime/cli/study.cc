@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 
+#include "grammar/shown_line.h"
 #include "runtime/cli/commands.h"
 #include "runtime/cli/interrupt.h"
 #include "runtime/cli/load_yaml.h"
@@ -21,7 +22,7 @@ std::optional<std::vector<StudyRun>> ChosenRuns(const Study& study,
                                                 const std::string& shard,
                                                 Io& io) {
   if (const auto problem = CheckOnly(study, only)) {
-    io.err << fmt::format("error: {}\n", *problem);
+    io.err << fmt::format("error: {}\n", Escaped(*problem));
     return std::nullopt;
   }
   return RunsIn(study, only, ParseShard(shard).value_or(Shard{}));
@@ -100,7 +101,7 @@ Exit Conclude(const StudyRunCommand& command, const Study& study,
     io.err << fmt::format(
         "the study {} in {}; go on with\n  {}\n",
         result.end == RunEnd::kStopped ? "was stopped" : "failed",
-        RunName(study, *result.stopped_in), CommandText(command));
+        Escaped(RunName(study, *result.stopped_in)), CommandText(command));
   switch (result.end) {
     case RunEnd::kStopped:
       return Exit::kInterrupted;
@@ -124,14 +125,14 @@ Exit Run(const StudyListCommand& command, Io& io) {
     evaluations += Evaluations(experiment);
     if (command.format == OutputFormat::kText) {
       io.out << fmt::format("{:16} seed {:<20}  {} evaluations\n",
-                            RunName(*study, run), experiment.seed,
+                            Escaped(RunName(*study, run)), experiment.seed,
                             Evaluations(experiment));
       continue;
     }
     nlohmann::ordered_json json;
     json["experiment"] = study->experiments[run.experiment].name;
     json["repetition"] = run.repetition;
-    json["seed"] = experiment.seed;
+    json["seed"] = std::to_string(experiment.seed);
     json["evaluations"] = Evaluations(experiment);
     io.out << json.dump() << '\n';
   }
@@ -147,7 +148,7 @@ Exit Run(const StudyRunCommand& command, Io& io) {
   const auto runs = ChosenRuns(*study, command.only, command.shard, io);
   if (!runs) return Exit::kBadInput;
   if (const auto failure = PrepareFolder(command.output, *study)) {
-    io.err << fmt::format("error: {}\n", *failure);
+    io.err << fmt::format("error: {}\n", Escaped(*failure));
     return Exit::kBadInput;
   }
   const InterruptHandler handler;
@@ -158,8 +159,8 @@ Exit Run(const StudyRunCommand& command, Io& io) {
   options.on_step = [&](const StudyRun& run, StudyStep step,
                         const RunReport& report) {
     if (command.quiet && step != StudyStep::kDamaged) return;
-    io.err << fmt::format("{} {}\n", RunName(*study, run),
-                          StepText(step, report));
+    io.err << fmt::format("{} {}\n", Escaped(RunName(*study, run)),
+                          Escaped(StepText(step, report)));
   };
   const StudyResult result = RunStudy(command.output, *study, *runs, options);
   return Conclude(command, *study, runs->size(), result, io);

@@ -1,4 +1,5 @@
 #include "runtime/trim.h"
+#include "grammar/shown_line.h"
 
 #include <fmt/format.h>
 
@@ -63,7 +64,7 @@ std::string NamesOf(const ComparedRegime& regime) {
 void TellProof(const Source& source, const Trimmed& trimmed, Io& io) {
   for (const TrimmedGenotype& one : trimmed.genotypes) {
     io.err << fmt::format(
-        "{}: {}: {}, {} and {} left out\n", source.name(), one.name,
+        "{}: {}: {}, {} and {} left out\n", Escaped(source.name()), one.name,
         Of(one.after.symbols, one.before.symbols, "symbols"),
         Of(one.after.rules, one.before.rules, "rules"),
         Of(one.after.terms, one.before.terms, "terms of clauses"));

@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "compiler/print.h"
+#include "grammar/shown_line.h"
 #include "runtime/cli/commands.h"
 #include "runtime/cli/program.h"
 #include "runtime/cli/robot_source.h"
@@ -62,7 +63,8 @@ std::optional<PhenotypePart> PartOf(const WhyCommand& command) {
 std::string Heading(const Genotype& genotype, const NamedEnvironment& named) {
   const std::string senses =
       PrintEnvironment(named.environment, genotype.states);
-  std::string text = fmt::format("{} in {}", genotype.name, named.name);
+  std::string text =
+      fmt::format("{} in {}", genotype.name, Escaped(named.name));
   if (!senses.empty() && senses != named.name)
     text += fmt::format(" ({})", senses);
   return text;

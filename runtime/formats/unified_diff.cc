@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "compiler/line_edits.h"
+#include "grammar/shown_line.h"
 
 namespace plsc {
 
@@ -49,7 +50,8 @@ std::string UnifiedDiff(std::string_view old_text, std::string_view new_text,
   const Lines a = SplitLines(old_text);
   const Lines b = SplitLines(new_text);
   const std::vector<LineEdit> edits = FindLineEdits(a, b);
-  std::string text = fmt::format("--- {}\n+++ {}\n", old_name, new_name);
+  std::string text =
+      fmt::format("--- {}\n+++ {}\n", Escaped(old_name), Escaped(new_name));
   std::size_t x = 0;
   std::size_t y = 0;
   std::size_t done = 0;

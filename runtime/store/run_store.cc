@@ -16,6 +16,7 @@
 #include "runtime/store/create.h"
 #include "runtime/store/database.h"
 #include "runtime/store/lock.h"
+#include "runtime/store/row_checks.h"
 #include "runtime/store/run_reader.h"
 #include "runtime/store/run_writer.h"
 #include "runtime/store/verify.h"
@@ -93,6 +94,7 @@ struct RunStore::Parts {
   RunLock lock;
   Database database;
   std::unique_ptr<RunReader> reader;
+  std::unique_ptr<RowChecks> checks;
   std::unique_ptr<RunWriter> writer;
   std::int64_t session = 0;  // its row
 
@@ -113,6 +115,7 @@ Failure RunStore::Parts::Connect(Database::Mode mode) {
   if (Failure failure = CheckIdentity(database)) return failure;
   if (Failure failure = ReadRun()) return failure;
   reader = std::make_unique<RunReader>(database);
+  checks = std::make_unique<RowChecks>(database);
   if (mode != Database::Mode::kRead)
     writer =
         std::make_unique<RunWriter>(database, *reader, SeasonIds(experiment));
@@ -181,6 +184,7 @@ Failure RunStore::OpenForReading(const std::string& path) {
   parts_ = std::make_unique<Parts>();
   parts_->path = path;
   Failure failure = parts_->Connect(Database::Mode::kRead);
+  if (!failure) failure = parts_->checks->Run();
   if (failure) parts_ = std::make_unique<Parts>();
   return failure;
 }
@@ -196,6 +200,7 @@ Failure RunStore::Close() {
     failure = parts.database.TakeFailure();
   }
   parts.writer.reset();
+  parts.checks.reset();
   parts.reader.reset();
   parts.database.Close();
   parts.lock.Release();
@@ -254,7 +259,12 @@ Loaded<RunStatus> RunStore::Status() {
   RunReader& reader = *parts_->reader;
   const Transaction instant(parts_->database);
   RunStatus status;
+  if (Failure failure = parts_->checks->Completed(experiment()))
+    return Loaded<RunStatus>::Failed(*failure);
   status.generations = reader.Generations();
+  if (status.generations > 0)
+    if (Failure failure = parts_->checks->Generation(status.generations - 1))
+      return Loaded<RunStatus>::Failed(*failure);
   status.evaluations = reader.Evaluations();
   if (status.generations > 0)
     if (const auto last = reader.FindGeneration(status.generations - 1))
@@ -266,6 +276,8 @@ Loaded<RunStatus> RunStore::Status() {
 Loaded<Individual> RunStore::Find(int id) {
   assert(parts_->reader);
   const Transaction instant(parts_->database);
+  if (Failure failure = parts_->checks->Robot(experiment(), id))
+    return Loaded<Individual>::Failed(*failure);
   return parts_->Tell(parts_->reader->FindIndividual(id));
 }
 
@@ -278,10 +290,14 @@ Loaded<int> RunStore::Born() {
 Loaded<GenerationRecord> RunStore::Generation(int number) {
   assert(parts_->reader);
   const Transaction instant(parts_->database);
+  const auto failed = Loaded<GenerationRecord>::Failed;
+  if (Failure failure = parts_->checks->Completed(experiment()))
+    return failed(*failure);
+  if (number < 0 || number >= parts_->reader->Generations())
+    return failed(fmt::format("'{}' has no generation {}", path(), number));
+  if (Failure failure = parts_->checks->Generation(number))
+    return failed(*failure);
   auto record = parts_->reader->FindGeneration(number);
-  if (!record)
-    parts_->database.Fail(
-        fmt::format("'{}' has no generation {}", path(), number));
   return parts_->Tell(std::move(record).value_or(GenerationRecord{}));
 }
 
@@ -297,6 +313,9 @@ Loaded<std::vector<int>> RunStore::EvaluatedIds() {
 
 Loaded<std::vector<SeasonEvidence>> RunStore::EvidenceOf(int id) {
   assert(parts_->reader);
+  const Transaction instant(parts_->database);
+  if (Failure failure = parts_->checks->Robot(experiment(), id))
+    return Loaded<std::vector<SeasonEvidence>>::Failed(*failure);
   return parts_->Tell(parts_->reader->FindEvidence(id));
 }
 
@@ -308,9 +327,11 @@ std::vector<Ancestor> RunStore::Parts::FindLineage(int id, int distance) {
   for (int d = 0; d <= distance && !level.empty(); ++d) {
     std::set<int> parents;
     for (const int one : level) {
-      std::optional<Birth> birth = reader->FindBirth(one);
+      Failure failure = checks->Robot(experiment, one);
+      std::optional<Birth> birth;
+      if (!failure) birth = reader->FindBirth(one);
       if (!birth) {
-        database.Fail(fmt::format("'{}' has no robot {}", path, one));
+        if (failure) database.Fail(std::move(*failure));
         return lineage;
       }
       for (const int parent : birth->heritage.parents)

@@ -68,8 +68,9 @@ class RunStore : public RunObserver, public SimulationCache {
   /// one that another program or kind of machine began, unless `any_version`:
   /// its results may then be those of no single program.
   Failure Open(const std::string& path, bool any_version = false);
-  /// Changes nothing, and works while another process writes. What is wrong
-  /// with single values is found when they are read.
+  /// Changes nothing, and works while another process writes. What the run is
+  /// must be what was written; robots and generations are compared with their
+  /// checksums when they are read, and fail then.
   Failure OpenForReading(const std::string& path);
   /// Ends the work on it; the only way to learn that the last writes failed.
   /// The destructor does the same in silence.

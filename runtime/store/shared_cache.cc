@@ -17,7 +17,8 @@ namespace {
 
 // "plsK" in the file's header: neither a run nor anything else.
 constexpr int kApplication = 0x706c734b;
-constexpr int kFormat = 1;
+// 2: entries have checksums.
+constexpr int kFormat = 2;
 
 // WAL, so that readers do not wait for writers. Who waits for another
 // process's transaction waits for milliseconds; half a minute is a dead disk.
@@ -32,7 +33,8 @@ CREATE TABLE IF NOT EXISTS engine(
   id INTEGER PRIMARY KEY, text TEXT UNIQUE NOT NULL);
 CREATE TABLE IF NOT EXISTS simulation(
   key TEXT NOT NULL, engine INTEGER NOT NULL REFERENCES engine(id),
-  value TEXT NOT NULL, PRIMARY KEY(key, engine)) WITHOUT ROWID;
+  value TEXT NOT NULL, checksum INTEGER NOT NULL,
+  PRIMARY KEY(key, engine)) WITHOUT ROWID;
 )";
 
 std::string ToHex(const std::string& bytes) {
@@ -61,6 +63,29 @@ std::optional<std::string> FromHex(const std::string& text) {
   return bytes;
 }
 
+/// Of all that an entry is, its place included: SQLite finds damage to its own
+/// structure only, and a wrong number would be somebody's result.
+std::int64_t ChecksumOf(const std::string& key, const std::string& engine,
+                        const std::string& value) {
+  return static_cast<std::int64_t>(
+      KeyOf(fmt::format("{}\n{}\n{}", key, engine, value)).low);
+}
+
+std::string WrongFormat(const std::string& path, int format) {
+  if (format > kFormat)
+    return fmt::format(
+        "'{}' was made by a newer plsc (its format is {}, this program knows "
+        "{}): use that one, or another file",
+        path, format, kFormat);
+  // Reading them would not help: an entry is found by the very program only
+  // that added it.
+  return fmt::format(
+      "'{}' is a cache of format {}, whose entries have no checksums, so that "
+      "damage would go unseen: delete it, or name another file (no run needs "
+      "it)",
+      path, format);
+}
+
 int NumberOf(Database& database, const char* pragma) {
   Statement statement(database, fmt::format("PRAGMA {}", pragma));
   return statement.Next() ? statement.TakeInt() : 0;
@@ -79,10 +104,13 @@ std::string ThisEngine() {
 struct SharedCache::Statements {
   explicit Statements(Database& database)
       : find(database,
-             "SELECT value FROM simulation WHERE key = ? AND engine = ?"),
-        add(database, "INSERT OR IGNORE INTO simulation VALUES(?, ?, ?)") {}
+             "SELECT value, checksum FROM simulation "
+             "WHERE key = ? AND engine = ?"),
+        add(database, "INSERT OR IGNORE INTO simulation VALUES(?, ?, ?, ?)"),
+        drop(database, "DELETE FROM simulation WHERE key = ? AND engine = ?") {}
   Statement find;
   Statement add;
+  Statement drop;
 };
 
 SharedCache::SharedCache() = default;
@@ -105,9 +133,7 @@ SharedCache::Failure SharedCache::Open(const std::string& path,
   const bool is_empty = NumberOf(database_, "schema_version") == 0;
   if (!is_empty && application != kApplication)
     return fmt::format("'{}' is no cache of plsc", path);
-  if (!is_empty && format != kFormat)
-    return fmt::format("'{}' is a cache of format {}; this program knows {}",
-                       path, format, kFormat);
+  if (!is_empty && format != kFormat) return WrongFormat(path, format);
   database_.Run(kSetUp);
   {
     Transaction transaction(database_);
@@ -119,37 +145,67 @@ SharedCache::Failure SharedCache::Open(const std::string& path,
         .With(engine)
         .Run();
     Statement number(database_, "SELECT id FROM engine WHERE text = ?");
-    if (number.With(engine).Next()) engine_ = number.TakeInteger();
+    if (number.With(engine).Next()) engine_id_ = number.TakeInteger();
     if (Failure failure = transaction.Commit()) return failure;
   }
+  engine_ = engine;
   statements_ = std::make_unique<Statements>(database_);
   return database_.TakeFailure();
+}
+
+SharedCache::Failure SharedCache::warning() const {
+  if (damaged_ == 0) return gone_;
+  std::string text = fmt::format(
+      "{} of the cache '{}' {} damaged, dropped and simulated anew",
+      damaged_ == 1 ? "an entry" : fmt::format("{} entries", damaged_),
+      database_.path(), damaged_ == 1 ? "was" : "were");
+  if (gone_) text += "; " + *gone_;
+  return text;
 }
 
 void SharedCache::Check() {
   Failure failure = database_.TakeFailure();
   if (!failure) return;
-  warning_ = fmt::format("the cache is not used any more: {}", *failure);
+  gone_ = fmt::format("the cache is not used any more: {}", *failure);
+}
+
+std::optional<Simulated> SharedCache::TakeEntry(const std::string& key) {
+  const std::string value = statements_->find.TakeText();
+  if (statements_->find.TakeInteger() != ChecksumOf(key, engine_, value))
+    return std::nullopt;
+  const auto bytes = FromHex(value);
+  if (!bytes) return std::nullopt;
+  auto simulated = Unpack(*bytes);
+  if (!simulated || simulated->size() != 1) return std::nullopt;
+  return std::move(simulated->front());
 }
 
 std::optional<Simulated> SharedCache::Find(const Key& key) {
-  if (warning_) return std::nullopt;
+  if (gone_) return std::nullopt;
+  const std::string digits = Hex(key);
   Statement& find = statements_->find;
   std::optional<Simulated> found;
-  if (find.With(Hex(key), engine_).Next())
-    if (const auto bytes = FromHex(find.TakeText()))
-      if (const auto simulated = Unpack(*bytes);
-          simulated && simulated->size() == 1)
-        found = simulated->front();
+  const bool is_there = find.With(digits, engine_id_).Next();
+  if (is_there) found = TakeEntry(digits);
   find.With();  // lets the row go: an open read keeps the log from shrinking
+  if (is_there && !found) {
+    ++damaged_;
+    statements_->drop.With(digits, engine_id_).Run();
+  }
   Check();
+  // What was read beside a failure is no entry.
+  if (gone_) return std::nullopt;
   return found;
 }
 
 SharedCache::Failure SharedCache::Add(const Key& key,
                                       const Simulated& simulated) {
-  if (warning_) return std::nullopt;
-  statements_->add.With(Hex(key), engine_, ToHex(Pack({simulated}))).Run();
+  if (gone_) return std::nullopt;
+  const std::string digits = Hex(key);
+  const std::string value = ToHex(Pack({simulated}));
+  statements_->add
+      .With(digits, engine_id_, value, ChecksumOf(digits, engine_, value))
+      .Run();
   Check();
   return std::nullopt;
 }

@@ -76,14 +76,19 @@ TEST_CASE("An answer has the fitness of each season", "[ask_tell]") {
   evaluation.seasons[0].season = "flat";
   evaluation.seasons[0].fitness = 0.25;
   evaluation.seasons[1].season = "tilted";
+  evaluation.seasons[1].sensed = {{"inclined", "False", SenseSource::kImu}};
+  Genotype genotype;
+  genotype.name = "g";
+  genotype.states = {{"inclined", StateType::kBool, 0, 0, {}}};
   const Json answer =
-      Json::parse(cli::EvaluationAnswer("\"x\"", "g", evaluation));
+      Json::parse(cli::EvaluationAnswer("\"x\"", genotype, evaluation));
   CHECK(answer["id"] == "x");
   CHECK(answer["fitness"]["flat"] == 0.25);
   CHECK(answer["fitness"]["tilted"].is_null());
   REQUIRE(answer["seasons"].size() == 2);
   CHECK(answer["seasons"][1]["season"] == "tilted");
   CHECK(answer["seasons"][1]["genotype"] == "g");
+  CHECK(answer["seasons"][1]["sensed"]["inclined"]["value"] == false);
 }
 
 TEST_CASE("A failure has the request's line and the diagnostics",
