@@ -127,11 +127,12 @@ Exit ShowIndividual(const ShowCommand& command, RunStore& store, Io& io) {
   return Exit::kFine;
 }
 
-Exit ShowRun(const ShowCommand& command, RunStore& store, Io& io) {
+Exit ShowRun(const ShowCommand& command,
+             const std::optional<std::string>& worker, RunStore& store,
+             Io& io) {
   const Loaded<RunStatus> status = store.Status();
   if (!status) return Complain(status.failure(), io);
   const Experiment& experiment = store.experiment();
-  const std::optional<std::string> worker = WhoWorksOn(command.run);
   const char* state = status->is_finished ? "finished"
                       : worker            ? "running"
                                           : "unfinished";
@@ -172,10 +173,12 @@ Exit ShowRun(const ShowCommand& command, RunStore& store, Io& io) {
 }  // namespace
 
 Exit Run(const ShowCommand& command, Io& io) {
+  // Asked first: not to be asked of a store that is open.
+  const std::optional<std::string> worker = WhoWorksOn(command.run);
   RunStore store;
   if (const auto failure = store.OpenForReading(command.run))
     return Complain(*failure, io);
-  return command.individual.empty() ? ShowRun(command, store, io)
+  return command.individual.empty() ? ShowRun(command, worker, store, io)
                                     : ShowIndividual(command, store, io);
 }
 

@@ -32,6 +32,9 @@ class SharedCache : public SimulationCache {
   Failure Open(const std::string& path,
                const std::string& engine = ThisEngine());
 
+  /// Ends its use as if it had never begun: a file that Open made is deleted.
+  void Discard();
+
   std::optional<Simulated> Find(const Key& key) override;
   /// Never fails: see warning().
   Failure Add(const Key& key, const Simulated& simulated) override;
@@ -41,11 +44,13 @@ class SharedCache : public SimulationCache {
 
  private:
   struct Statements;
+  Failure OpenFile(const std::string& path, const std::string& engine);
   void Check();
 
   Database database_;
   std::unique_ptr<Statements> statements_;
   std::int64_t engine_ = 0;
+  bool is_new_ = false;  // made by this object
   Failure warning_;
 };
 
