@@ -6,6 +6,7 @@
 #include <cerrno>
 #include <chrono>
 #include <ctime>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <system_error>
 
@@ -77,6 +78,8 @@ std::optional<std::string> JsonLog::Open(const std::string& path) {
     out_ = &standard_output_;
     return std::nullopt;
   }
+  std::error_code error;
+  is_new_ = !std::filesystem::exists(path, error);
   errno = 0;
   file_.open(path, std::ios::app);
   if (!file_)
@@ -85,6 +88,14 @@ std::optional<std::string> JsonLog::Open(const std::string& path) {
         std::error_code(errno, std::generic_category()).message());
   out_ = &file_;
   return std::nullopt;
+}
+
+void JsonLog::Discard() {
+  out_ = nullptr;
+  if (!file_.is_open()) return;
+  file_.close();
+  std::error_code ignored;
+  if (is_new_) std::filesystem::remove(path_, ignored);
 }
 
 void JsonLog::Start(const JsonLogStart& start) {

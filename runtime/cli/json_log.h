@@ -35,6 +35,9 @@ class JsonLog {
   /// its log. What went wrong, as "cannot write to 'x': Permission denied".
   std::optional<std::string> Open(const std::string& path);
 
+  /// As if it had not been opened: a file that Open made is deleted.
+  void Discard();
+
   void Start(const JsonLogStart& start);
   /// Writes a line when a generation begins, and every 10 s.
   void Show(const Progress& progress);
@@ -56,6 +59,7 @@ class JsonLog {
   std::ofstream file_;
   std::ostream* out_ = nullptr;  // nullptr: not open
   std::string path_;
+  bool is_new_ = false;  // made by Open
   std::optional<std::string> failure_;
   std::function<double()> clock_;  // s since the log was made
   PaceMeter meter_;

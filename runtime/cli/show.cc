@@ -164,10 +164,11 @@ void PrintBest(const Individual& best, std::ostream& out) {
     out << "  " << SeasonLine(season) << '\n';
 }
 
-Exit ShowRun(const ShowCommand& command, RunStore& store, Io& io) {
+Exit ShowRun(const ShowCommand& command,
+             const std::optional<std::string>& worker, RunStore& store,
+             Io& io) {
   const Loaded<RunStatus> status = store.Status();
   if (!status) return Complain(status.failure(), io);
-  const std::optional<std::string> worker = WhoWorksOn(command.run);
   const Standing standing{*status, worker.value_or(""),
                           status->is_finished ? "finished"
                           : worker            ? "running"
@@ -194,13 +195,15 @@ Exit ShowRun(const ShowCommand& command, RunStore& store, Io& io) {
 }  // namespace
 
 Exit Run(const ShowCommand& command, Io& io) {
+  // Asked first: not to be asked of a store that is open.
+  const std::optional<std::string> worker = WhoWorksOn(command.run);
   RunStore store;
   if (const auto failure = store.OpenForReading(command.run))
     return Complain(*failure, io);
   if (command.verify)
     if (const auto problem = Examine(command.run).problem)
       return Complain(*problem, io);
-  return command.individual.empty() ? ShowRun(command, store, io)
+  return command.individual.empty() ? ShowRun(command, worker, store, io)
                                     : ShowIndividual(command, store, io);
 }
 

@@ -8,6 +8,7 @@
 #include "runtime/cli/interrupt.h"
 #include "runtime/cli/load_yaml.h"
 #include "runtime/cli/run_experiment.h"
+#include "runtime/store/shared_cache.h"
 #include "runtime/study/run_study.h"
 #include "runtime/study/slice.h"
 #include "runtime/study/study_folder.h"
@@ -56,6 +57,17 @@ RunEnd Execute(const RunTask& task, const StudyRunCommand& command, Io& io) {
   request.cache = command.cache;
   request.quiet = command.quiet;
   return EndOf(ExecuteRun(request, io));
+}
+
+/// The cache first: where it cannot be opened, no folder is made.
+std::optional<std::string> Prepare(const StudyRunCommand& command,
+                                   const Study& study) {
+  SharedCache cache;
+  if (!command.cache.empty())
+    if (auto failure = cache.Open(command.cache)) return failure;
+  auto failure = PrepareFolder(command.output, study);
+  if (failure) cache.Discard();
+  return failure;
 }
 
 std::string StepText(StudyStep step, const RunReport& report) {
@@ -147,13 +159,18 @@ Exit Run(const StudyRunCommand& command, Io& io) {
   if (!study) return Exit::kBadInput;
   const auto runs = ChosenRuns(*study, command.only, command.shard, io);
   if (!runs) return Exit::kBadInput;
-  if (const auto failure = PrepareFolder(command.output, *study)) {
+  if (const auto failure = Prepare(command, *study)) {
     io.err << fmt::format("error: {}\n", Escaped(*failure));
     return Exit::kBadInput;
   }
   const InterruptHandler handler;
   StudyOptions options;
   options.execute = [&](const RunTask& task) {
+    // Another study's folder, or none, may be there since the last run.
+    if (const auto failure = CheckFolder(command.output, *study)) {
+      io.err << fmt::format("error: {}\n", *failure);
+      return RunEnd::kFailed;
+    }
     return Execute(task, command, io);
   };
   options.on_step = [&](const StudyRun& run, StudyStep step,

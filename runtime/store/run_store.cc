@@ -13,12 +13,15 @@
 #include <system_error>
 #include <utility>
 
+#include "runtime/store/companions.h"
 #include "runtime/store/create.h"
 #include "runtime/store/database.h"
 #include "runtime/store/lock.h"
 #include "runtime/store/row_checks.h"
 #include "runtime/store/run_reader.h"
 #include "runtime/store/run_writer.h"
+#include "runtime/store/schema.h"
+#include "runtime/store/schema_check.h"
 #include "runtime/store/verify.h"
 #include "sim/machine_kind.h"
 
@@ -44,10 +47,8 @@ Failure CheckAbsent(const std::string& path) {
         path);
   const auto folder = std::filesystem::path(path).parent_path();
   if (access(folder.empty() ? "." : folder.c_str(), W_OK | X_OK) != 0)
-    return fmt::format(
-        "cannot create '{}': {}", path,
-        std::error_code(errno, std::generic_category()).message());
-  return std::nullopt;
+    return fmt::format("cannot create '{}': {}", path, ReasonOf(errno));
+  return CheckNoCompanions(path);
 }
 
 /// Results are a function of these too.
@@ -97,9 +98,13 @@ struct RunStore::Parts {
   std::unique_ptr<RowChecks> checks;
   std::unique_ptr<RunWriter> writer;
   std::int64_t session = 0;  // its row
+  bool is_new = false;       // made by this object
+  bool is_lost = false;      // not where it was any more
 
   Failure Connect(Database::Mode mode);
   Failure ReadRun();
+  /// That what is written goes into the file of this name.
+  Failure CheckInPlace();
   /// Of everything since the last failure that somebody heard of.
   template <typename T>
   Loaded<T> Tell(T value) {
@@ -113,6 +118,8 @@ struct RunStore::Parts {
 Failure RunStore::Parts::Connect(Database::Mode mode) {
   if (Failure failure = database.Open(path, mode)) return failure;
   if (Failure failure = CheckIdentity(database)) return failure;
+  if (mode != Database::Mode::kRead)
+    if (Failure failure = CheckNothingAdded(database, Schema())) return failure;
   if (Failure failure = ReadRun()) return failure;
   reader = std::make_unique<RunReader>(database);
   checks = std::make_unique<RowChecks>(database);
@@ -120,6 +127,12 @@ Failure RunStore::Parts::Connect(Database::Mode mode) {
     writer =
         std::make_unique<RunWriter>(database, *reader, SeasonIds(experiment));
   return database.TakeFailure();
+}
+
+Failure RunStore::Parts::CheckInPlace() {
+  Failure failure = database.CheckInPlace();
+  is_lost = is_lost || failure;
+  return failure;
 }
 
 Failure RunStore::Parts::ReadRun() {
@@ -153,15 +166,19 @@ Failure RunStore::Create(const std::string& path, const Experiment& experiment,
   parts_ = std::make_unique<Parts>();
   parts_->path = path;
   if (Failure failure = CheckAbsent(path)) return failure;
-  if (Failure failure = parts_->lock.Take(path)) return failure;
-  // Another process may have made it before it gave the lock back.
-  Failure failure = CheckAbsent(path);
-  if (!failure)
-    failure =
-        CreateStoreFile(path, experiment, versions.value_or(ThisProgram()));
+  Failure failure = CreateStoreFile(
+      path, experiment, versions.value_or(ThisProgram()), parts_->lock);
+  // Another process may have made it since we looked.
+  if (failure)
+    if (Failure exists = CheckAbsent(path)) failure = std::move(exists);
+  parts_->is_new = !failure;
   if (!failure) failure = parts_->Connect(Database::Mode::kWrite);
-  if (failure) parts_ = std::make_unique<Parts>();
+  if (failure) Discard();
   return failure;
+}
+
+Failure RunStore::CheckCreate(const std::string& path) {
+  return CheckAbsent(path);
 }
 
 Failure RunStore::Open(const std::string& path, bool any_version) {
@@ -189,6 +206,17 @@ Failure RunStore::OpenForReading(const std::string& path) {
   return failure;
 }
 
+void RunStore::Discard() {
+  Parts& parts = *parts_;
+  parts.writer.reset();
+  parts.reader.reset();
+  parts.database.Close();
+  if (parts.is_new && parts.lock.IsOn(parts.path))
+    for (const char* end : {"", "-wal", "-shm"})
+      unlink((parts.path + end).c_str());
+  parts_ = std::make_unique<Parts>();
+}
+
 Failure RunStore::Close() {
   Parts& parts = *parts_;
   Failure failure = parts.database.TakeFailure();
@@ -198,6 +226,7 @@ Failure RunStore::Close() {
     // Passive: whoever reads for long is not waited for.
     parts.database.Run("PRAGMA wal_checkpoint(PASSIVE)");
     failure = parts.database.TakeFailure();
+    if (Failure lost = parts.CheckInPlace()) failure = std::move(lost);
   }
   parts.writer.reset();
   parts.checks.reset();
@@ -205,6 +234,10 @@ Failure RunStore::Close() {
   parts.database.Close();
   parts.lock.Release();
   return failure;
+}
+
+bool RunStore::is_lost() const {
+  return parts_->is_lost;
 }
 
 const std::string& RunStore::path() const {
@@ -381,17 +414,20 @@ Failure RunStore::EndSession(const SessionEnd& end) {
 Failure RunStore::OnBirths(const std::vector<Individual>& born,
                            const std::function<bool()>& should_stop) {
   assert(parts_->writer);
+  if (Failure failure = parts_->CheckInPlace()) return failure;
   return parts_->writer->Births(born, should_stop);
 }
 
 Failure RunStore::OnEvaluated(const Individual& one,
                               const std::vector<SeasonEvidence>& evidence) {
   assert(parts_->writer);
+  if (Failure failure = parts_->CheckInPlace()) return failure;
   return parts_->writer->Evaluated(one, evidence);
 }
 
 Failure RunStore::OnGeneration(const GenerationRecord& record) {
   assert(parts_->writer);
+  if (Failure failure = parts_->CheckInPlace()) return failure;
   return parts_->writer->Completed(record);
 }
 

@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "runtime/evolve/simulated_frame.h"
+#include "runtime/store/make_database.h"
+#include "runtime/store/schema_check.h"
 #include "sim/machine_kind.h"
 
 namespace plsc {
@@ -20,22 +22,34 @@ constexpr int kApplication = 0x706c734b;
 // 2: entries have checksums.
 constexpr int kFormat = 2;
 
-// WAL, so that readers do not wait for writers. Who waits for another
-// process's transaction waits for milliseconds; half a minute is a dead disk.
+// Who waits for another process's transaction waits for milliseconds; half a
+// minute is a dead disk.
 constexpr const char* kSetUp = R"(
 PRAGMA busy_timeout = 30000;
-PRAGMA journal_mode = WAL;
-PRAGMA synchronous = NORMAL;
 )";
 
-constexpr const char* kTables = R"(
-CREATE TABLE IF NOT EXISTS engine(
-  id INTEGER PRIMARY KEY, text TEXT UNIQUE NOT NULL);
-CREATE TABLE IF NOT EXISTS simulation(
+const std::vector<SchemaItem>& Tables() {
+  static const std::vector<SchemaItem> tables = {
+      {"engine",
+       R"(CREATE TABLE engine(
+  id INTEGER PRIMARY KEY, text TEXT UNIQUE NOT NULL))",
+       SchemaKind::kTable, false, ""},
+      {"simulation",
+       R"(CREATE TABLE simulation(
   key TEXT NOT NULL, engine INTEGER NOT NULL REFERENCES engine(id),
   value TEXT NOT NULL, checksum INTEGER NOT NULL,
-  PRIMARY KEY(key, engine)) WITHOUT ROWID;
-)";
+  PRIMARY KEY(key, engine)) WITHOUT ROWID)",
+       SchemaKind::kTable, false, ""},
+  };
+  return tables;
+}
+
+void AddTables(Database& database) {
+  database.Run(
+      fmt::format("PRAGMA application_id = {}; PRAGMA user_version = {};",
+                  kApplication, kFormat));
+  for (const SchemaItem& table : Tables()) database.Run(table.sql);
+}
 
 std::string ToHex(const std::string& bytes) {
   std::string text;
@@ -122,25 +136,32 @@ SharedCache::~SharedCache() {
 
 SharedCache::Failure SharedCache::Open(const std::string& path,
                                        const std::string& engine) {
-  // SQLite makes a database of an empty file.
-  if (!std::filesystem::exists(path)) std::ofstream(path, std::ios::app);
-  if (Failure failure = database_.Open(path, Database::Mode::kCreate))
+  Failure failure = OpenFile(path, engine);
+  if (failure) Discard();
+  return failure;
+}
+
+SharedCache::Failure SharedCache::OpenFile(const std::string& path,
+                                           const std::string& engine) {
+  std::error_code error;
+  if (!std::filesystem::exists(std::filesystem::symlink_status(path, error))) {
+    Failure failure = MakeDatabase(path, AddTables);
+    is_new_ = !failure;
+    // Another process may have made it meanwhile.
+    if (failure && !std::filesystem::exists(path, error)) return failure;
+  }
+  if (Failure failure = database_.Open(path, Database::Mode::kWrite))
     return failure;
   const int application = NumberOf(database_, "application_id");
   const int format = NumberOf(database_, "user_version");
   if (Failure failure = database_.TakeFailure()) return failure;
-  // Another process may be making the very file.
-  const bool is_empty = NumberOf(database_, "schema_version") == 0;
-  if (!is_empty && application != kApplication)
+  if (application != kApplication)
     return fmt::format("'{}' is no cache of plsc", path);
-  if (!is_empty && format != kFormat) return WrongFormat(path, format);
+  if (format != kFormat) return WrongFormat(path, format);
+  if (Failure failure = CheckNothingAdded(database_, Tables())) return failure;
   database_.Run(kSetUp);
   {
     Transaction transaction(database_);
-    database_.Run(
-        fmt::format("PRAGMA application_id = {}; PRAGMA user_version = {};",
-                    kApplication, kFormat));
-    database_.Run(kTables);
     Statement(database_, "INSERT OR IGNORE INTO engine(text) VALUES(?)")
         .With(engine)
         .Run();
@@ -163,8 +184,18 @@ SharedCache::Failure SharedCache::warning() const {
   return text;
 }
 
+void SharedCache::Discard() {
+  statements_.reset();
+  const bool is_ours =
+      is_new_ && (!database_.is_open() || !database_.CheckInPlace());
+  database_.Close();
+  std::error_code ignored;
+  if (is_ours) std::filesystem::remove(database_.path(), ignored);
+}
+
 void SharedCache::Check() {
   Failure failure = database_.TakeFailure();
+  if (!failure) failure = database_.CheckInPlace();
   if (!failure) return;
   gone_ = fmt::format("the cache is not used any more: {}", *failure);
 }

@@ -33,6 +33,9 @@ class SharedCache : public SimulationCache {
   Failure Open(const std::string& path,
                const std::string& engine = ThisEngine());
 
+  /// Ends its use as if it had never begun: a file that Open made is deleted.
+  void Discard();
+
   /// An entry that is damaged is dropped, and not found.
   std::optional<Simulated> Find(const Key& key) override;
   /// Never fails: see warning().
@@ -44,6 +47,7 @@ class SharedCache : public SimulationCache {
 
  private:
   struct Statements;
+  Failure OpenFile(const std::string& path, const std::string& engine);
   void Check();
   /// Nothing if the row is not what was added under this key.
   std::optional<Simulated> TakeEntry(const std::string& key);
@@ -52,8 +56,9 @@ class SharedCache : public SimulationCache {
   std::unique_ptr<Statements> statements_;
   std::string engine_;
   std::int64_t engine_id_ = 0;
-  Failure gone_;     // why it is not used any more
-  int damaged_ = 0;  // entries
+  Failure gone_;         // why it is not used any more
+  int damaged_ = 0;      // entries
+  bool is_new_ = false;  // made by this object
 };
 
 }  // namespace plsc

@@ -28,7 +28,7 @@ bool HasSchema(Database& database) {
   std::map<std::string, std::string> found;
   Statement statement(database,
                       "SELECT name, sql FROM sqlite_master "
-                      "WHERE sql IS NOT NULL");
+                      "WHERE sql IS NOT NULL AND type != 'trigger'");
   statement.With();
   while (statement.Next()) {
     const std::string name = statement.TakeText();
