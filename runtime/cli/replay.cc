@@ -13,6 +13,7 @@
 #include "runtime/evolve/judging.h"
 #include "runtime/evolve/worker_count.h"
 #include "runtime/evolve/worker_pool.h"
+#include "runtime/formats/json_dump.h"
 
 namespace plsc::cli {
 
@@ -44,7 +45,7 @@ void PrintJson(const Replayed& replayed, std::ostream& out) {
                                    {"name", one.name},
                                    {"stored", one.stored},
                                    {"now", one.now}});
-  out << json.dump() << '\n';
+  out << DumpJson(json) << '\n';
 }
 
 struct Stored {

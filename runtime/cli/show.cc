@@ -7,6 +7,7 @@
 #include "runtime/cli/commands.h"
 #include "runtime/cli/open_run.h"
 #include "runtime/cli/robot_text.h"
+#include "runtime/formats/json_dump.h"
 #include "runtime/formats/season_json.h"
 #include "runtime/store/lock.h"
 
@@ -116,7 +117,7 @@ Exit ShowIndividual(const ShowCommand& command, RunStore& store, Io& io) {
       store.Lineage(*id, command.lineage);
   if (!lineage) return Complain(lineage.failure(), io);
   if (command.format == OutputFormat::kJson) {
-    io.out << IndividualJson(*one, *lineage).dump() << '\n';
+    io.out << DumpJson(IndividualJson(*one, *lineage)) << '\n';
     return Exit::kFine;
   }
   const Alphabet& alphabet = *one->genotype.alphabet;
@@ -149,7 +150,7 @@ Exit ShowRun(const ShowCommand& command, RunStore& store, Io& io) {
     json["versions"] = {{"plsc", store.versions().plsc},
                         {"ode", store.versions().ode},
                         {"compiler", store.versions().compiler}};
-    io.out << json.dump() << '\n';
+    io.out << DumpJson(json) << '\n';
     return Exit::kFine;
   }
   io.out << fmt::format(

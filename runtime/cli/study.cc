@@ -7,6 +7,7 @@
 #include "runtime/cli/interrupt.h"
 #include "runtime/cli/load_yaml.h"
 #include "runtime/cli/run_experiment.h"
+#include "runtime/formats/json_dump.h"
 #include "runtime/study/run_study.h"
 #include "runtime/study/slice.h"
 #include "runtime/study/study_folder.h"
@@ -133,7 +134,7 @@ Exit Run(const StudyListCommand& command, Io& io) {
     json["repetition"] = run.repetition;
     json["seed"] = experiment.seed;
     json["evaluations"] = Evaluations(experiment);
-    io.out << json.dump() << '\n';
+    io.out << DumpJson(json) << '\n';
   }
   if (command.format == OutputFormat::kText)
     io.out << fmt::format("{}, {} evaluations\n", Plural(runs->size()),

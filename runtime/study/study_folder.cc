@@ -69,9 +69,11 @@ Failure WriteFirst(const std::string& folder, const std::string& text) {
 /// in it meanwhile comes after study.yaml, so that file is looked for last.
 Failure CheckEmpty(const std::string& folder) {
   std::error_code error;
-  for (const auto& entry : fs::directory_iterator(folder, error))
-    if (!entry.path().filename().string().starts_with(kPartial) &&
-        !fs::exists(FileIn(folder)))
+  std::error_code ignored;
+  for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
+       entry.increment(error))
+    if (!entry->path().filename().string().starts_with(kPartial) &&
+        !fs::exists(FileIn(folder), ignored))
       return fmt::format("'{}' exists and is no study's folder: it has no {}",
                          folder, kFile);
   if (error)
