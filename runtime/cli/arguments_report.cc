@@ -15,9 +15,9 @@ CLI::App* AddReport(CLI::App& app, ReportCommand& command) {
       ->option_text("STUDY|RUN...")
       ->required();
   sub->add_option("-o,--output", command.output,
-                  "the page: one HTML file that needs nothing else; an "
-                  "existing one is replaced")
+                  "the page: one HTML file that needs nothing else")
       ->option_text("FILE");
+  AddForce(sub, command.force);
   sub->add_option("--measures", command.measures,
                   "what is shown of robots: paper (default: Speed, Balance, "
                   "Size, Sensors, Sensors Reach, Recurrence), all, or names of "

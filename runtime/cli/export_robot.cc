@@ -134,25 +134,20 @@ bool CanFill(const std::string& folder, Io& io) {
   return problem == nullptr;
 }
 
-bool CanWriteAll(const std::vector<RobotFile>& files,
-                 const ExportCommand& command, Io& io) {
-  for (const RobotFile& file : files) {
-    std::error_code error;
-    if (!CanWrite(file.path, {SplitGenotypePath(command.file).file}, io))
-      return false;
-    if (command.force || !fs::exists(file.path, error)) continue;
-    io.err << fmt::format("error: '{}' exists; --force overwrites it\n",
-                          file.path);
-    return false;
-  }
-  return true;
+Output OutputOf(const ExportCommand& command, const std::string& path) {
+  return {path,
+          OutputKind::kRobot,
+          command.force,
+          {SplitGenotypePath(command.file).file}};
 }
 
-Exit WriteAll(const std::vector<RobotFile>& files, Io& io) {
+Exit WriteAll(const std::vector<RobotFile>& files, const ExportCommand& command,
+              Io& io) {
+  for (const RobotFile& file : files)
+    if (!CanWrite(OutputOf(command, file.path), io)) return Exit::kBadInput;
   for (const RobotFile& file : files) {
-    if (const auto failure = WriteFile(file.path, file.text))
-      return Complain(fmt::format("cannot write '{}': {}", file.path, *failure),
-                      io);
+    if (!WriteOutput(OutputOf(command, file.path), file.text, io))
+      return Exit::kBadInput;
     io.err << fmt::format("wrote {}\n", Escaped(file.path));
   }
   return Exit::kFine;
@@ -179,8 +174,7 @@ Exit FillFolder(const ExportCommand& command,
     return Complain(fmt::format("cannot make the folder '{}': {}",
                                 command.output, error.message()),
                     io);
-  if (!CanWriteAll(files, command, io)) return Exit::kBadInput;
-  return WriteAll(files, io);
+  return WriteAll(files, command, io);
 }
 
 }  // namespace
@@ -197,8 +191,7 @@ std::string ExportedName(const RobotModel& model, ExportFormat format,
 
 Exit ExportRobots(const ExportCommand& command, Io& io) {
   const bool asks_folder = AsksFolder(command.output);
-  if (!asks_folder &&
-      !CanWrite(command.output, {SplitGenotypePath(command.file).file}, io))
+  if (!asks_folder && !CanWrite(OutputOf(command, command.output), io))
     return Exit::kBadInput;
   if (!command.prefix.empty() && !HasNames(*command.to)) {
     io.err << fmt::format(
@@ -227,8 +220,7 @@ Exit ExportRobots(const ExportCommand& command, Io& io) {
     return Exit::kFine;
   }
   const std::vector<RobotFile> files = {{command.output, text}};
-  return CanWriteAll(files, command, io) ? WriteAll(files, io)
-                                         : Exit::kBadInput;
+  return WriteAll(files, command, io);
 }
 
 }  // namespace plsc::cli

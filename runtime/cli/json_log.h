@@ -31,8 +31,9 @@ class JsonLog {
   /// `standard_output` for the path "-".
   explicit JsonLog(std::ostream& standard_output);
 
-  /// Lines are appended to a file that exists, so a run that goes on continues
-  /// its log. What went wrong, as "cannot write to 'x': Permission denied".
+  /// Lines are appended to a log that exists, so a run that goes on continues
+  /// it; to another file nothing is. What went wrong, as "cannot write to 'x':
+  /// Permission denied".
   std::optional<std::string> Open(const std::string& path);
 
   /// As if it had not been opened: a file that Open made is deleted.

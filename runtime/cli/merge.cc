@@ -88,17 +88,21 @@ bool IsCorrect(const std::string& text, const MergeCommand& command, Io& io) {
   return false;
 }
 
+Output OutputOf(const MergeCommand& command) {
+  return {command.output,
+          OutputKind::kGenotype,
+          command.force,
+          {command.base, command.ours, command.theirs}};
+}
+
 // Whether it is written.
 bool WriteMerge(const std::string& text, const MergeCommand& command, Io& io) {
-  const std::string& path =
-      command.is_driver || command.write_ours ? command.ours : command.output;
-  if (path.empty()) {
-    io.out << text;
-    return true;
-  }
-  const auto failure = WriteFile(path, text);
+  if (!command.is_driver && !command.write_ours)
+    return WriteOutput(OutputOf(command), text, io);
+  const auto failure = WriteFile(command.ours, text);
   if (failure)
-    io.err << fmt::format("error: cannot write '{}': {}\n", path, *failure);
+    io.err << fmt::format("error: cannot write '{}': {}\n", command.ours,
+                          *failure);
   return !failure;
 }
 
@@ -140,9 +144,7 @@ Exit Finish(const MergedFile& merged, bool must_be_correct,
 }  // namespace
 
 Exit Run(const MergeCommand& command, Io& io) {
-  if (!CanWrite(command.output, {command.base, command.ours, command.theirs},
-                io))
-    return Exit::kTrouble;
+  if (!CanWrite(OutputOf(command), io)) return Exit::kTrouble;
   const MergeLabels labels = LabelsOf(command);
   const auto base = ReadVersion(command.base, labels.base, command, io);
   const auto ours = ReadVersion(command.ours, labels.ours, command, io);

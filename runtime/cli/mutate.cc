@@ -91,9 +91,12 @@ bool CanVary(const Genotype& genotype, const std::string& path, Io& io) {
 }  // namespace
 
 Exit Run(const MutateCommand& command, Io& io) {
-  const std::string input = SplitGenotypePath(command.file).file;
-  if (!CanWrite(command.output, {input, command.experiment}, io))
-    return Exit::kBadInput;
+  const Output output{
+      command.output,
+      ChildrenKind(command.format),
+      command.force,
+      {SplitGenotypePath(command.file).file, command.experiment}};
+  if (!CanWrite(output, io)) return Exit::kBadInput;
   const auto parent = LoadProgram(command.file, command.allow_range, io);
   if (!parent || !CanVary(parent->genotype, command.file, io))
     return Exit::kBadInput;
@@ -113,9 +116,8 @@ Exit Run(const MutateCommand& command, Io& io) {
                   {command.stream.seed, command.stream.generation,
                    command.stream.individual + static_cast<std::uint64_t>(i),
                    Purpose::kMutate}));
-  const bool is_delivered =
-      DeliverChildren(std::move(children), command.output, command.format, io);
-  return is_delivered ? Exit::kFine : Exit::kBadInput;
+  return DeliverChildren(std::move(children), output, io) ? Exit::kFine
+                                                          : Exit::kBadInput;
 }
 
 }  // namespace plsc::cli

@@ -14,6 +14,7 @@
 #include "runtime/evolve/judging.h"
 #include "runtime/evolve/worker_count.h"
 #include "runtime/evolve/worker_pool.h"
+#include "runtime/formats/json_dump.h"
 #include "runtime/store/verify.h"
 
 namespace plsc::cli {
@@ -47,7 +48,7 @@ void PrintJson(const Replayed& replayed, std::ostream& out) {
                                    {"name", one.name},
                                    {"stored", one.stored},
                                    {"now", one.now}});
-  out << json.dump() << '\n';
+  out << DumpJson(json) << '\n';
 }
 
 struct Stored {

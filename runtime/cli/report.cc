@@ -85,20 +85,21 @@ Told TellProblems(const StudyReport& report, Io& io) {
   return told;
 }
 
+Output OutputOf(const ReportCommand& command) {
+  return {command.output,
+          command.format == ReportFormat::kHtml ? OutputKind::kPage
+                                                : OutputKind::kReport,
+          command.force, command.paths};
+}
+
 Exit Write(const ReportCommand& command, const StudyReport& report, Io& io) {
   std::string text = ReportJson(report, MadeNow());
   if (command.format == ReportFormat::kHtml)
     text = PageHtml(PageKind::kReport, report.title, text);
   else
     text += '\n';
-  if (command.output.empty()) {
-    io.out << text;
-    return Exit::kFine;
-  }
-  if (const auto failure = WriteFile(command.output, text))
-    return Complain(
-        fmt::format("cannot write '{}': {}", command.output, *failure), io);
-  if (!command.quiet)
+  if (!WriteOutput(OutputOf(command), text, io)) return Exit::kBadInput;
+  if (!command.quiet && !command.output.empty() && command.output != "-")
     io.out << fmt::format("{}: {}\n", Escaped(command.output), Summary(report));
   return Exit::kFine;
 }
@@ -109,7 +110,7 @@ Exit Run(const ReportCommand& command, Io& io) {
   const bool is_page = command.format == ReportFormat::kHtml;
   if (is_page && command.output.empty())
     return WrongUsage("where should the page go? add -o FILE", io);
-  if (!CanWrite(command.output, command.paths, io)) return Exit::kBadInput;
+  if (!CanWrite(OutputOf(command), io)) return Exit::kBadInput;
   const auto measures = ChooseMeasures(command.measures);
   if (!measures) return WrongUsage(measures.failure().c_str(), io);
   const Loaded<ReportInputs> inputs = FindRuns(command.paths);

@@ -8,6 +8,7 @@
 #include "runtime/cli/commands.h"
 #include "runtime/cli/open_run.h"
 #include "runtime/cli/robot_text.h"
+#include "runtime/formats/json_dump.h"
 #include "runtime/formats/season_json.h"
 #include "runtime/store/heritage_json.h"
 #include "runtime/store/lock.h"
@@ -105,7 +106,7 @@ Exit ShowIndividual(const ShowCommand& command, RunStore& store, Io& io) {
       store.Lineage(*id, command.lineage);
   if (!lineage) return Complain(lineage.failure(), io);
   if (command.format == OutputFormat::kJson) {
-    io.out << IndividualJson(*one, *lineage).dump() << '\n';
+    io.out << DumpJson(IndividualJson(*one, *lineage)) << '\n';
     return Exit::kFine;
   }
   const Alphabet& alphabet = *one->genotype.alphabet;
@@ -140,8 +141,7 @@ void PrintRunJson(const ShowCommand& command, const RunStore& store,
                       {"ode", store.versions().ode},
                       {"compiler", store.versions().compiler}};
   json["verified"] = command.verify;
-  // The path may be any bytes; JSON must stay UTF-8.
-  out << json.dump(-1, ' ', false, Json::error_handler_t::replace) << '\n';
+  out << DumpJson(json) << '\n';
 }
 
 void PrintRunText(const RunStore& store, const Standing& standing,

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <ostream>
 #include <utility>
@@ -103,20 +104,49 @@ void PrintDescriptors(const std::vector<SeasonResult>& results,
   }
 }
 
-bool Write(const std::string& path, const std::string& text, Io& io) {
-  const auto failure = WriteFile(path, text);
-  if (failure)
-    io.err << fmt::format("error: cannot write '{}': {}\n", path, *failure);
-  else
-    io.err << fmt::format("wrote {}\n", path);
-  return !failure;
+bool Write(const Output& output, const std::string& text, Io& io) {
+  if (!WriteOutput(output, text, io)) return false;
+  io.err << fmt::format("wrote {}\n", output.path);
+  return true;
 }
 
-bool WriteInto(const std::string& folder, const std::string& name,
-               const std::string& text, Io& io) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  return Write((std::filesystem::path(folder) / name).string(), text, io);
+// A file that the command was asked for, `path` is one of its options.
+Output OutputOf(const SimulateCommand& command, const std::string& path,
+                OutputKind kind) {
+  return {path,
+          kind,
+          command.force,
+          {SplitGenotypePath(command.file).file, command.scenario}};
+}
+
+Output InFolder(const SimulateCommand& command, const std::string& name,
+                OutputKind kind) {
+  const std::filesystem::path folder = command.trajectory_folder;
+  return OutputOf(command, (folder / name).string(), kind);
+}
+
+Output SamplesOf(const SimulateCommand& command, const std::string& season) {
+  return InFolder(command, season + ".csv", OutputKind::kTrajectory);
+}
+
+Output ConstantsOf(const SimulateCommand& command) {
+  return InFolder(command, "scenario.yaml", OutputKind::kScenario);
+}
+
+// Whether all that the command will write can be written.
+bool CanWriteAll(const SimulateCommand& command, const Scenario& scenario,
+                 Io& io) {
+  if (!CanWrite(OutputOf(command, command.record, OutputKind::kRecording),
+                io) ||
+      !CanWrite(OutputOf(command, command.svg, OutputKind::kSvg), io))
+    return false;
+  if (command.trajectory_folder.empty()) return true;
+  return MakeFolder(command.trajectory_folder, io) &&
+         CanWrite(ConstantsOf(command), io) &&
+         std::all_of(scenario.seasons.begin(), scenario.seasons.end(),
+                     [&](const Season& season) {
+                       return CanWrite(SamplesOf(command, season.name), io);
+                     });
 }
 
 // Everything that a run of the command leaves behind.
@@ -175,9 +205,9 @@ Record LiveAll(const SimulateCommand& command, const ToLive& one, Io& io) {
   while (!lived.is_over()) {
     const SeasonLife life = lived.Next();
     PrintSeason(command, life, scenario, genotype, io);
-    const std::string& folder = command.trajectory_folder;
-    if (!folder.empty() && !WriteInto(folder, life.result.season + ".csv",
-                                      TrajectoryCsv(life.trajectory), io))
+    if (!command.trajectory_folder.empty() &&
+        !Write(SamplesOf(command, life.result.season),
+               TrajectoryCsv(life.trajectory), io))
       record.is_written = false;
     record.results.push_back(life.result);
     if (!record.is_written || InterruptHandler::is_interrupted()) break;
@@ -192,9 +222,7 @@ Exit Run(const SimulateCommand& command, Io& io) {
   const auto found = Find(command, io);
   if (const Exit* exit = std::get_if<Exit>(&found)) return *exit;
   const auto& [genotype, scenario, inherited] = std::get<ToLive>(found);
-  if (!CanLive(scenario, genotype, io) ||
-      !CanWrite(command.record, {command.file, command.scenario}, io) ||
-      !CanWrite(command.svg, {command.file, command.scenario}, io))
+  if (!CanLive(scenario, genotype, io) || !CanWriteAll(command, scenario, io))
     return Exit::kBadInput;
 
   if (command.format == OutputFormat::kText) {
@@ -205,9 +233,9 @@ Exit Run(const SimulateCommand& command, Io& io) {
     PrintHeader(io.out);
   }
   // Samples mean nothing without the constants that they were made with.
-  const std::string& folder = command.trajectory_folder;
-  if (!folder.empty() &&
-      !WriteInto(folder, "scenario.yaml", PrintScenario(scenario), io))
+  if (!command.trajectory_folder.empty() &&
+      !Write(ConstantsOf(command),
+             std::string(kScenarioMark) + PrintScenario(scenario), io))
     return Exit::kBadInput;
   const InterruptHandler handler;
   const Record record = LiveAll(command, std::get<ToLive>(found), io);
@@ -215,9 +243,12 @@ Exit Run(const SimulateCommand& command, Io& io) {
     PrintDescriptors(record.results, io.out);
   bool is_written = record.is_written;
   if (!command.record.empty())
-    is_written &= Write(command.record, RecordingJson(record.recording), io);
+    is_written &=
+        Write(OutputOf(command, command.record, OutputKind::kRecording),
+              RecordingJson(record.recording), io);
   if (!command.svg.empty())
-    is_written &= Write(command.svg, PathSvg(record.recording), io);
+    is_written &= Write(OutputOf(command, command.svg, OutputKind::kSvg),
+                        PathSvg(record.recording), io);
   if (!is_written) return Exit::kBadInput;
   return InterruptHandler::is_interrupted() ? Exit::kInterrupted : Exit::kFine;
 }

@@ -8,6 +8,7 @@
 #include "runtime/cli/interrupt.h"
 #include "runtime/cli/load_yaml.h"
 #include "runtime/cli/run_experiment.h"
+#include "runtime/formats/json_dump.h"
 #include "runtime/store/shared_cache.h"
 #include "runtime/study/run_study.h"
 #include "runtime/study/slice.h"
@@ -146,7 +147,7 @@ Exit Run(const StudyListCommand& command, Io& io) {
     json["repetition"] = run.repetition;
     json["seed"] = std::to_string(experiment.seed);
     json["evaluations"] = Evaluations(experiment);
-    io.out << json.dump() << '\n';
+    io.out << DumpJson(json) << '\n';
   }
   if (command.format == OutputFormat::kText)
     io.out << fmt::format("{}, {} evaluations\n", Plural(runs->size()),

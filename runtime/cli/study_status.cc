@@ -6,6 +6,7 @@
 
 #include "grammar/shown_line.h"
 #include "runtime/cli/commands.h"
+#include "runtime/formats/json_dump.h"
 #include "runtime/study/run_report.h"
 #include "runtime/study/study_folder.h"
 
@@ -71,7 +72,7 @@ void PrintJson(const std::string& folder, const Study& study,
     json["best_speed"][season.season] =
         season.speed ? nlohmann::ordered_json(*season.speed)
                      : nlohmann::ordered_json(nullptr);
-  out << json.dump() << '\n';
+  out << DumpJson(json) << '\n';
 }
 
 void PrintTotals(const Totals& totals, std::ostream& out) {

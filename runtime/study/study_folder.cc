@@ -68,8 +68,9 @@ Failure WriteFirst(const std::string& folder, const std::string& text) {
 Failure CheckEmpty(const std::string& folder) {
   std::error_code error;
   std::error_code ignored;
-  for (const auto& entry : fs::directory_iterator(folder, error))
-    if (!entry.path().filename().string().starts_with(kPartial) &&
+  for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
+       entry.increment(error))
+    if (!entry->path().filename().string().starts_with(kPartial) &&
         !fs::exists(FileIn(folder), ignored))
       return fmt::format("'{}' exists and is no study's folder: it has no {}",
                          folder, kFile);
