@@ -49,8 +49,7 @@ Failure RowChecks::Run() {
   if (!run.With().Next()) return Wrong("it does not say what the run is");
   const std::int64_t sum = run.TakeInteger();
   run.Run();
-  if (sum != sums_.OfRun())
-    return Wrong("what the run is cannot be trusted");
+  if (sum != sums_.OfRun()) return Wrong("what the run is cannot be trusted");
   return database_.TakeFailure();
 }
 
@@ -120,8 +119,8 @@ Failure RowChecks::Completed(const Experiment& experiment) {
 
 Failure RowChecks::Unborn(const Experiment& experiment, int id) {
   if (Failure failure = Completed(experiment)) return failure;
-  const int completed = static_cast<int>(
-      Single(database_, "SELECT count(*) FROM generation"));
+  const int completed =
+      static_cast<int>(Single(database_, "SELECT count(*) FROM generation"));
   const int next = completed < experiment.generations ? completed : -1;
   const int last =
       completed > 0 ? IdsBornIn(experiment, completed - 1).last : 0;
@@ -138,8 +137,8 @@ Failure RowChecks::Unborn(const Experiment& experiment, int id) {
 
 Failure RowChecks::Unevaluated(const Experiment& experiment, int id) {
   if (Failure failure = Completed(experiment)) return failure;
-  const int completed = static_cast<int>(
-      Single(database_, "SELECT count(*) FROM generation"));
+  const int completed =
+      static_cast<int>(Single(database_, "SELECT count(*) FROM generation"));
   if (completed > 0 && id <= IdsBornIn(experiment, completed - 1).last)
     return Wrong(fmt::format("robot {} lacks an evaluation", id));
   return Pages("evaluation");

@@ -48,8 +48,8 @@ TEST_CASE("replay tells which stored number does not come out", "[replay]") {
   for (const Row& row : rows) {
     DYNAMIC_SECTION(row.why) {
       const test::TemporaryFolder folder;
-      const auto ran =
-          RunPlsc({"replay", test::ChangedRun(folder, row.sql), "--all", "--jobs", "2"});
+      const auto ran = RunPlsc({"replay", test::ChangedRun(folder, row.sql),
+                                "--all", "--jobs", "2"});
       CHECK(ran.exit == 1);
       CHECK(ran.out.find(row.name) != std::string::npos);
       CHECK(ran.err.find("came out otherwise") != std::string::npos);
