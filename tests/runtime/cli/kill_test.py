@@ -31,6 +31,7 @@ scenario:
   seasons:
     - {name: flat, terrain: flat, duration: 10 s}
     - {name: tilted, terrain: {tilted: 5 deg}, duration: 10 s}
+    - {name: again, terrain: flat, duration: 10 s}
 """
 
 
