@@ -16,6 +16,9 @@ namespace plsc {
 
 namespace {
 
+// Each is a simulation of every robot, and a column of reports.
+constexpr std::size_t kMaxSeasons = 1000;
+
 // Limits of plausible lives; max_steps is the one that counts.
 constexpr Quantity kDuration = {Dimension::kTime, 0, 1e6, true};
 constexpr Quantity kSampleInterval = {Dimension::kTime, 0, 60, true};
@@ -149,6 +152,12 @@ std::vector<Season> ReadSeasons(YamlMap& map, Profile profile,
   if (!items) return seasons;
   if (items->empty())
     value->Report("P5108", "expected at least one season, found none");
+  if (items->size() > kMaxSeasons) {
+    value->Report("P5108", fmt::format("a scenario has at most {} seasons, "
+                                       "found {}",
+                                       kMaxSeasons, items->size()));
+    return seasons;
+  }
   std::set<std::string> names;
   for (const YamlValue& item : *items) {
     const std::size_t errors = item.error_count();

@@ -31,16 +31,13 @@ struct YamlNode {
 
 namespace {
 
-constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-
 std::uint32_t OffsetOf(const Source& source, const YAML::Mark& mark) {
   const auto size = static_cast<std::uint32_t>(source.text().size());
   // A null mark (-1) and one past the end both point at the end.
   if (mark.line < 0 || mark.line >= source.line_count()) return size;
   std::uint32_t begin = source.LineBegin(mark.line + 1);
   // yaml-cpp does not count the byte order mark.
-  if (mark.line == 0 && source.text().starts_with(kByteOrderMark))
-    begin += static_cast<std::uint32_t>(kByteOrderMark.size());
+  if (mark.line == 0) begin += TextBegin(source.text());
   return std::min(begin + static_cast<std::uint32_t>(mark.column), size);
 }
 
@@ -168,8 +165,35 @@ Span YamlValue::span() const {
   return SpanOf(document_->source, node_->node);
 }
 
+std::size_t YamlValue::CountEntries() const {
+  return node_->node.size();
+}
+
+std::size_t YamlValue::CountValues(std::size_t most) const {
+  std::size_t count = 0;
+  std::vector<YAML::Node> open{node_->node};
+  while (!open.empty() && count < most) {
+    const YAML::Node node = open.back();
+    open.pop_back();
+    ++count;
+    for (const auto& item : node) {
+      if (open.size() > most) break;
+      if (node.IsMap())
+        open.push_back(item.second);
+      else
+        open.push_back(item);
+    }
+  }
+  return count;
+}
+
+bool YamlValue::is_full() const {
+  return document_->diagnostics.size() >= kMaxReported;
+}
+
 void YamlValue::Report(std::string_view code, std::string message,
                        std::string help, std::string replacement) const {
+  if (is_full()) return;
   Diagnostic diagnostic;
   diagnostic.code = code;
   diagnostic.span = span();
@@ -429,6 +453,7 @@ void YamlMap::Close() const {
   std::unordered_set<std::string> meant;
   for (const Entry& entry : entries_) {
     if (all.contains(entry.key)) continue;
+    if (place_.is_full()) return;
     // One that is there already cannot be meant.
     const auto nearest = Suggest(entry.key, free);
     entry.at.Report("P5101", fmt::format("unknown key '{}'", entry.key),

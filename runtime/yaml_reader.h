@@ -53,6 +53,14 @@ class YamlValue {
   std::optional<std::vector<YamlValue>> List(std::string_view what) const;
   std::optional<YamlMap> Map(std::string_view what) const;
 
+  std::size_t CountEntries() const;  ///< of a map or list
+  /// Values in it and itself, counted up to `most`: with aliases a short text
+  /// may have any number.
+  std::size_t CountValues(std::size_t most) const;
+
+  /// Whether so many errors were found that no more are reported; a loop over
+  /// what a file may have thousands of ends then.
+  bool is_full() const;
   /// Reports an error here. Code P5xxx; see yaml_reader.cc. `replacement`, if
   /// not empty, is to be written in its place.
   void Report(std::string_view code, std::string message, std::string help = "",

@@ -9,7 +9,6 @@
 
 namespace plsc {
 double Oscillate(const Node& oscillator, double time) {
-  assert(oscillator.period > 0);
   const double turns = time / oscillator.period - oscillator.phase_offset;
   return 0.5 +
          oscillator.amplitude / 2 * std::sin(2 * std::numbers::pi * turns);

@@ -21,7 +21,8 @@ inline constexpr double kMaxOutput = 0.99999;
 inline constexpr double kRestOutput = 0.5;
 
 /// Eq. 1 of the paper: a sine of `amplitude` about 0.5, not clamped; `time` in
-/// s since birth.
+/// s since birth. Not a number where the period is 0, which only genotypes out
+/// of their range have: their robots end as unstable.
 double Oscillate(const Node& oscillator, double time);
 
 /// The servo: rad/s to strive for at `angle` (rad), given a node's output. The

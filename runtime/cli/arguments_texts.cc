@@ -132,10 +132,13 @@ CLI::App* AddLint(CLI::App& app, LintCommand& command) {
       "develops there:\nclauses that are always true or never (W3002), "
       "environments in which no rule of a\nsymbol is active (W3003) or several "
       "at once (W3004), strings that would grow too\nlong (W4001), symbols and "
-      "rules that never do anything (W4002). A comment\n'# plsc: allow W3003' "
-      "before an item or behind it silences a warning there,\n'# plsc: "
-      "allow-file W3003' in the whole file. Exit status 0 with warnings, 1 "
-      "with\nerrors or, with --deny, with any warning.\n\n"
+      "rules that never do anything (W4002), commands that\nchange another "
+      "joint "
+      "than the one before them (W4003), rules of C that are read\nseveral "
+      "times in one place (W4004). A comment '# plsc: allow W3003' before an "
+      "item\nor behind it silences a warning there, '# plsc: allow-file W3003' "
+      "in the whole\nfile. Exit status 0 with warnings, 1 with errors or, with "
+      "--deny, with any warning.\n\n"
       "  plsc lint robots/*.pls\n"
       "  plsc lint --deny --format json robot.pls | jq .message");
   return sub;

@@ -2,6 +2,7 @@
 
 #include <ostream>
 
+#include "grammar/shown_line.h"
 #include "runtime/cli/check_file.h"
 #include "runtime/cli/commands.h"
 #include "runtime/cli/diagnostic_json.h"
@@ -46,7 +47,8 @@ FileCheck CheckOne(const std::string& name, const CheckCommand& command,
     const Diagnostic& problem = source.diagnostics()[0];
     CheckedFile file{Source(name, ""), {problem}};
     if (is_text)
-      io.err << fmt::format("error[{}]: {}\n", problem.code, problem.message);
+      io.err << fmt::format("error[{}]: {}\n", problem.code,
+                            Escaped(problem.message));
     else
       Show(file, command, io);
     return {{std::move(file)}, false, ""};

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "compiler/compile.h"
+#include "grammar/shown_line.h"
 #include "runtime/cli/file_kind.h"
 #include "runtime/formats/golden_json.h"
 #include "runtime/formats/recording_json.h"
@@ -90,7 +91,8 @@ void Take(const std::optional<T>& read, const Source& source,
           FileCheck& check) {
   check.is_fine = read.has_value();
   if (read)
-    check.contents = fmt::format("{}: {}\n", source.name(), ContentsOf(*read));
+    check.contents =
+        fmt::format("{}: {}\n", Escaped(source.name()), ContentsOf(*read));
 }
 
 template <typename T>
@@ -98,7 +100,8 @@ void Take(const Result<T>& read, const Source& source, FileCheck& check) {
   check.findings.push_back({source, read.diagnostics()});
   check.is_fine = static_cast<bool>(read);
   if (read)
-    check.contents = fmt::format("{}: {}\n", source.name(), ContentsOf(*read));
+    check.contents =
+        fmt::format("{}: {}\n", Escaped(source.name()), ContentsOf(*read));
 }
 
 void CheckGenotype(const Source& source, const CheckCommand& command,
@@ -112,7 +115,7 @@ void CheckGenotype(const Source& source, const CheckCommand& command,
       file.diagnostics.push_back(std::move(warning));
   check.findings.push_back(std::move(file));
   check.is_fine = static_cast<bool>(compiled);
-  if (compiled) check.contents = ContentsOf(*compiled, source.name());
+  if (compiled) check.contents = ContentsOf(*compiled, Escaped(source.name()));
 }
 
 void RefuseStore(const Source& source, FileCheck& check) {

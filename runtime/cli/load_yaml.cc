@@ -6,6 +6,8 @@
 #include <ostream>
 #include <utility>
 
+#include "grammar/shown_line.h"
+
 namespace plsc::cli {
 
 namespace {
@@ -14,7 +16,7 @@ std::optional<Source> Load(const std::string& path, Io& io) {
   Result<Source> source = ReadSource(path, io);
   if (source) return std::move(*source);
   io.err << fmt::format("error[{}]: {}\n", source.diagnostics()[0].code,
-                        source.diagnostics()[0].message);
+                        Escaped(source.diagnostics()[0].message));
   return std::nullopt;
 }
 

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "compiler/print.h"
+#include "grammar/shown_line.h"
 #include "grammar/suggest.h"
 #include "runtime/derive.h"
 #include "runtime/environment.h"
@@ -45,7 +46,7 @@ std::optional<NamedEnvironment> ReadOne(const Program& program,
     if (!program.environments.empty() && text.find('=') == std::string::npos) {
       io.err << "= note: environments that the file names:";
       for (const NamedEnvironment& named : program.environments)
-        io.err << ' ' << named.name;
+        io.err << ' ' << Escaped(named.name);
       io.err << '\n';
     }
     return std::nullopt;
@@ -58,7 +59,7 @@ std::optional<Source> Read(const std::string& path, Io& io) {
   Result<Source> source = ReadSource(path, io);
   if (source) return std::move(*source);
   io.err << fmt::format("error[{}]: {}\n", source.diagnostics()[0].code,
-                        source.diagnostics()[0].message);
+                        Escaped(source.diagnostics()[0].message));
   return std::nullopt;
 }
 
@@ -68,11 +69,36 @@ CompileOptions Options(bool allow_range) {
   return options;
 }
 
-template <typename T>
-std::optional<T> Checked(Result<T> result, const Source& source, Io& io) {
-  Report(result.diagnostics(), source, io);
-  if (!result) return std::nullopt;
-  return std::move(*result);
+// Prints what is wrong; warnings are for WarnOf, when it is known whose.
+std::optional<std::vector<MappedProgram>> Compiled(
+    const Source& source, bool allow_range, std::vector<Diagnostic>& warnings,
+    Io& io) {
+  auto all = CompileAllWithMap(source, Options(allow_range));
+  if (!all) {
+    Report(all.diagnostics(), source, io);
+    return std::nullopt;
+  }
+  warnings = all.diagnostics();
+  return std::move(*all);
+}
+
+// Prints the warnings of the chosen genotypes, and of what belongs to all: a
+// section goes from its genotype's name to the next one's.
+void WarnOf(const std::vector<std::size_t>& chosen,
+            const std::vector<MappedProgram>& all,
+            std::vector<Diagnostic> warnings, const Source& source, Io& io) {
+  const auto is_other = [&](const Diagnostic& warning) {
+    const auto next =
+        std::upper_bound(all.begin(), all.end(), warning.span.begin,
+                         [](std::uint32_t at, const MappedProgram& one) {
+                           return at < one.map.genotype.begin;
+                         });
+    const auto owner = static_cast<std::size_t>(next - all.begin());
+    return owner > 0 &&
+           !std::binary_search(chosen.begin(), chosen.end(), owner - 1);
+  };
+  if (all.size() > 1) std::erase_if(warnings, is_other);
+  Report(warnings, source, io);
 }
 
 // The genotype that alone has a symbol there.
@@ -104,7 +130,7 @@ std::optional<std::size_t> Choose(const std::vector<MappedProgram>& all,
     if (names.back() == name) return i;
   }
   io.err << fmt::format("error[P2019]: {} has no genotype '{}'\n",
-                        source.name(), name);
+                        Escaped(source.name()), Escaped(name));
   if (const auto near = Suggest(name, names))
     io.err << fmt::format("  = help: did you mean '{}'?\n", *near);
   else
@@ -128,13 +154,14 @@ std::optional<LoadedProgram> LoadWithMap(const std::string& path,
   const GenotypePath from = SplitGenotypePath(path);
   std::optional<Source> source = Read(from.file, io);
   if (!source) return std::nullopt;
-  auto all =
-      Checked(CompileAllWithMap(*source, Options(allow_range)), *source, io);
+  std::vector<Diagnostic> warnings;
+  auto all = Compiled(*source, allow_range, warnings, io);
   if (!all) return std::nullopt;
   std::optional<std::size_t> chosen;
   if (at && from.genotype.empty()) chosen = WrittenAt(*all, *at, *source);
   if (!chosen) chosen = Choose(*all, from.genotype, *source, io);
   if (!chosen) return std::nullopt;
+  WarnOf({*chosen}, *all, std::move(warnings), *source, io);
   return LoadedProgram{std::move(*source), std::move((*all)[*chosen])};
 }
 
@@ -143,8 +170,8 @@ std::optional<LoadedFile> LoadFile(const std::string& path, bool allow_range,
   const GenotypePath from = SplitGenotypePath(path);
   std::optional<Source> source = Read(from.file, io);
   if (!source) return std::nullopt;
-  auto all =
-      Checked(CompileAllWithMap(*source, Options(allow_range)), *source, io);
+  std::vector<Diagnostic> warnings;
+  auto all = Compiled(*source, allow_range, warnings, io);
   if (!all) return std::nullopt;
   std::vector<std::size_t> chosen(all->size());
   std::iota(chosen.begin(), chosen.end(), std::size_t{0});
@@ -153,6 +180,7 @@ std::optional<LoadedFile> LoadFile(const std::string& path, bool allow_range,
     if (!one) return std::nullopt;
     chosen = {*one};
   }
+  WarnOf(chosen, *all, std::move(warnings), *source, io);
   return LoadedFile{std::move(*source), std::move(*all), std::move(chosen)};
 }
 
@@ -181,7 +209,7 @@ void ReportGrowth(const LoadedProgram& loaded, const NamedEnvironment& named,
   io.err << fmt::format(
       "error: in {}, the history of development has too many symbols to be "
       "kept\n",
-      named.name);
+      Escaped(named.name));
 }
 
 std::optional<std::vector<NamedEnvironment>> ChooseEnvironments(

@@ -97,6 +97,11 @@ std::optional<State> ReadEnumState(State state, const YamlValue& value) {
   const auto items = value.List("values");
   if (!items) return std::nullopt;
   state.type = StateType::kEnum;
+  if (items->size() > kMaxSymbols) {
+    value.Report("P3002", fmt::format("a state has at most {} values, found {}",
+                                      kMaxSymbols, items->size()));
+    return std::nullopt;
+  }
   for (const YamlValue& item : *items)
     if (auto name = ReadName(item, "a value")) {
       const auto& known = state.values;
@@ -132,10 +137,16 @@ std::optional<State> ReadState(const YamlValue& value) {
                                  : ReadEnumState(state, entry.value);
 }
 
-std::vector<State> ReadStates(const YamlValue& value) {
+std::optional<std::vector<State>> ReadStates(const YamlValue& value) {
   std::vector<State> states;
   const auto items = value.List("states");
-  if (!items) return states;
+  if (!items) return std::nullopt;
+  if (items->size() > kMaxStates) {
+    value.Report("P3002",
+                 fmt::format("a genotype has at most {} states, found {}",
+                             kMaxStates, items->size()));
+    return std::nullopt;
+  }
   for (const YamlValue& item : *items) {
     std::optional<State> state = ReadState(item);
     if (!state) continue;
@@ -216,7 +227,7 @@ GenotypeOptions ReadGenotype(YamlMap& map) {
       map.place().error_count() == before_terms ? options.max_terms : kMaxLimit,
       options);
   if (const auto states = map.Find("states")) {
-    options.states = ReadStates(*states);
+    if (auto read = ReadStates(*states)) options.states = *std::move(read);
     if (map.place().error_count() == errors && options.states.empty() &&
         options.encoding == Encoding::kPlasticoding)
       states->Report("P5108",

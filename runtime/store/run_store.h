@@ -59,6 +59,8 @@ class RunStore : public RunObserver, public SimulationCache {
   RunStore(const RunStore&) = delete;
   RunStore& operator=(const RunStore&) = delete;
 
+  /// What would keep Create from it, as far as can be told without making it.
+  static Failure CheckCreate(const std::string& path);
   /// Makes the file, which must not exist, for writing. `versions` default to
   /// those of this program; others are for tests.
   Failure Create(const std::string& path, const Experiment& experiment,
@@ -68,12 +70,18 @@ class RunStore : public RunObserver, public SimulationCache {
   /// one that another program or kind of machine began, unless `any_version`:
   /// its results may then be those of no single program.
   Failure Open(const std::string& path, bool any_version = false);
-  /// Changes nothing, and works while another process writes. What is wrong
-  /// with single values is found when they are read.
+  /// Changes nothing, and works while another process writes. What the run is
+  /// must be what was written; robots and generations are compared with their
+  /// checksums when they are read, and fail then.
   Failure OpenForReading(const std::string& path);
   /// Ends the work on it; the only way to learn that the last writes failed.
   /// The destructor does the same in silence.
   Failure Close();
+  /// Ends the work on it as if it had never begun: what Create made is deleted.
+  void Discard();
+  /// The file was deleted, moved or replaced while it was written to, which
+  /// the next On... and Close say; what they wrote is not in `path`.
+  bool is_lost() const;
 
   const std::string& path() const;
   const Experiment& experiment() const;

@@ -181,4 +181,28 @@ TEST_CASE("So is whatever is accepted of several numbers",
   CHECK(lived > 50);
 }
 
+// As `plsc evaluate --allow-range` lets them pass.
+TEST_CASE("Arguments of a genotype that are out of range are lived, too",
+          "[scenario][limits]") {
+  const Scenario scenario =
+      Short(Solver::kDirect, Lives::kIndependent, {TerrainType::kFlat});
+  CompileOptions options;
+  options.allow_out_of_range = true;
+  for (const char* period : {"0", "-0.0", "-1", "5e-324", "1e-300", "1e300"})
+    for (const char* other : {"4", "0", "1e308", "-1e308"}) {
+      CAPTURE(period, other);
+      const std::string text = fmt::format(
+          "plsc 1\ngenotype odd\nalphabet plasticoding 1\niterations 1\n"
+          "rule C -> {{ C add_front A1({1}, {1}, {0}, {1}) loop({1}) "
+          "mutate_per({1}) move_front add_front T({1}) }}\n",
+          period, other);
+      const Result<Program> program = Compile(Source("odd", text), options);
+      REQUIRE(program);
+      const SeasonResult season =
+          Evaluate(program->genotype, scenario).seasons.front();
+      CHECK((season.outcome == Outcome::kCompleted ||
+             season.outcome == Outcome::kUnstable));
+    }
+}
+
 }  // namespace plsc

@@ -180,4 +180,35 @@ TEST_CASE("A map of very many keys is read", "[yaml]") {
   CHECK(file.diagnostics()[0].code == "P5102");
 }
 
+TEST_CASE("Errors are collected up to a limit", "[yaml]") {
+  std::string text;
+  for (std::size_t i = 0; i < 2 * kMaxReported; ++i)
+    text += "k" + std::to_string(i) + ": 1\n";
+  const Source source("test.yaml", text);
+  const YamlFile file(source);
+  auto root = file.Root("a test");
+  REQUIRE(root);
+  CHECK_FALSE(root->place().is_full());
+  root->Close();
+  CHECK(root->place().is_full());
+  CHECK(file.diagnostics().size() == kMaxReported);
+}
+
+TEST_CASE("Values are counted, aliases as often as they stand", "[yaml]") {
+  std::string text = "a0: &a0 [x, x]\n";
+  for (int i = 1; i <= 40; ++i) {
+    const std::string one = std::to_string(i);
+    const std::string before = "*a" + std::to_string(i - 1);
+    text += "a" + one + ": &a" + one + " [" + before + ", " + before + "]\n";
+  }
+  const Source source("test.yaml", text);
+  const YamlFile file(source);
+  auto root = file.Root("a test");
+  REQUIRE(root);
+  CHECK(root->Find("a0")->CountValues(1000) == 3);
+  CHECK(root->Find("a0")->CountEntries() == 2);
+  CHECK(root->Find("a2")->CountValues(1000) == 15);
+  CHECK(root->Find("a40")->CountValues(1000) == 1000);
+}
+
 }  // namespace plsc

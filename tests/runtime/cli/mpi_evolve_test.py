@@ -38,6 +38,7 @@ scenario:
   seasons:
     - {{terrain: flat, duration: {duration} s}}
     - {{terrain: {{tilted: 5 deg}}, duration: {duration} s}}
+    - {{name: again, terrain: flat, duration: {duration} s}}
 """
 
 

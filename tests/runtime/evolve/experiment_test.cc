@@ -216,4 +216,37 @@ TEST_CASE("Mistakes in an experiment are shown where they are",
   }
 }
 
+// Not timed; each took minutes when it was read.
+TEST_CASE("Lists of any length are refused at once", "[experiment]") {
+  const auto list = [](const char* name) {
+    std::string text;
+    for (int i = 0; i < 100000; ++i)
+      text += (i > 0 ? ", " : "") + std::string(name) + std::to_string(i);
+    return text;
+  };
+  struct Row {
+    const char* why;
+    std::string text;
+    std::string code;
+    std::string message;
+  };
+  const std::vector<Row> rows = {
+      {"states", "states: [" + list("s") + "]\n", "P3002",
+       "a genotype has at most 1000 states, found 100000"},
+      {"values", "states: [{g: [" + list("v") + "]}]\n", "P3002",
+       "a state has at most 1000 values, found 100000"},
+      {"seasons", "scenario: {seasons: [" + list("x") + "]}\n", "P5108",
+       "a scenario has at most 1000 seasons, found 100000"},
+  };
+  for (const Row& row : rows) {
+    DYNAMIC_SECTION(row.why) {
+      const Source source("test.yaml", "plsc_experiment: 1\n" + row.text);
+      const auto read = ParseExperiment(source);
+      REQUIRE_FALSE(read);
+      CHECK(read.diagnostics()[0].code == row.code);
+      CHECK(read.diagnostics()[0].message == row.message);
+    }
+  }
+}
+
 }  // namespace plsc
