@@ -69,11 +69,36 @@ CompileOptions Options(bool allow_range) {
   return options;
 }
 
-template <typename T>
-std::optional<T> Checked(Result<T> result, const Source& source, Io& io) {
-  Report(result.diagnostics(), source, io);
-  if (!result) return std::nullopt;
-  return std::move(*result);
+// Prints what is wrong; warnings are for WarnOf, when it is known whose.
+std::optional<std::vector<MappedProgram>> Compiled(
+    const Source& source, bool allow_range, std::vector<Diagnostic>& warnings,
+    Io& io) {
+  auto all = CompileAllWithMap(source, Options(allow_range));
+  if (!all) {
+    Report(all.diagnostics(), source, io);
+    return std::nullopt;
+  }
+  warnings = all.diagnostics();
+  return std::move(*all);
+}
+
+// Prints the warnings of the chosen genotypes, and of what belongs to all: a
+// section goes from its genotype's name to the next one's.
+void WarnOf(const std::vector<std::size_t>& chosen,
+            const std::vector<MappedProgram>& all,
+            std::vector<Diagnostic> warnings, const Source& source, Io& io) {
+  const auto is_other = [&](const Diagnostic& warning) {
+    const auto next =
+        std::upper_bound(all.begin(), all.end(), warning.span.begin,
+                         [](std::uint32_t at, const MappedProgram& one) {
+                           return at < one.map.genotype.begin;
+                         });
+    const auto owner = static_cast<std::size_t>(next - all.begin());
+    return owner > 0 &&
+           !std::binary_search(chosen.begin(), chosen.end(), owner - 1);
+  };
+  if (all.size() > 1) std::erase_if(warnings, is_other);
+  Report(warnings, source, io);
 }
 
 // The genotype that alone has a symbol there.
@@ -129,13 +154,14 @@ std::optional<LoadedProgram> LoadWithMap(const std::string& path,
   const GenotypePath from = SplitGenotypePath(path);
   std::optional<Source> source = Read(from.file, io);
   if (!source) return std::nullopt;
-  auto all =
-      Checked(CompileAllWithMap(*source, Options(allow_range)), *source, io);
+  std::vector<Diagnostic> warnings;
+  auto all = Compiled(*source, allow_range, warnings, io);
   if (!all) return std::nullopt;
   std::optional<std::size_t> chosen;
   if (at && from.genotype.empty()) chosen = WrittenAt(*all, *at, *source);
   if (!chosen) chosen = Choose(*all, from.genotype, *source, io);
   if (!chosen) return std::nullopt;
+  WarnOf({*chosen}, *all, std::move(warnings), *source, io);
   return LoadedProgram{std::move(*source), std::move((*all)[*chosen])};
 }
 
@@ -144,8 +170,8 @@ std::optional<LoadedFile> LoadFile(const std::string& path, bool allow_range,
   const GenotypePath from = SplitGenotypePath(path);
   std::optional<Source> source = Read(from.file, io);
   if (!source) return std::nullopt;
-  auto all =
-      Checked(CompileAllWithMap(*source, Options(allow_range)), *source, io);
+  std::vector<Diagnostic> warnings;
+  auto all = Compiled(*source, allow_range, warnings, io);
   if (!all) return std::nullopt;
   std::vector<std::size_t> chosen(all->size());
   std::iota(chosen.begin(), chosen.end(), std::size_t{0});
@@ -154,6 +180,7 @@ std::optional<LoadedFile> LoadFile(const std::string& path, bool allow_range,
     if (!one) return std::nullopt;
     chosen = {*one};
   }
+  WarnOf(chosen, *all, std::move(warnings), *source, io);
   return LoadedFile{std::move(*source), std::move(*all), std::move(chosen)};
 }
 

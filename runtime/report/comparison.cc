@@ -39,6 +39,10 @@ const Series* SeriesOf(const StudyReport& report, std::size_t run,
              : nullptr;
 }
 
+const std::vector<double>& ValuesOf(const Series& series, Counted of) {
+  return of == Counted::kBest ? series.best : series.means;
+}
+
 /// Of the generations of an experiment: what `values_at` finds, summarised.
 template <typename ValuesAt>
 void Summarise(const ValuesAt& values_at, std::vector<int>& counts,
@@ -54,11 +58,11 @@ void Summarise(const ValuesAt& values_at, std::vector<int>& counts,
   }
 }
 
-Curve CurveOf(const StudyReport& report, const Cell& cell) {
-  Curve curve{cell.measure, cell.season, cell.experiment, {}, {}};
+Curve CurveOf(const StudyReport& report, const Cell& cell, Counted of) {
+  Curve curve{cell.measure, cell.season, cell.experiment, {}, {}, of};
   const std::vector<std::size_t>& runs =
       report.experiments[cell.experiment].runs;
-  if (report.is_single) {
+  if (report.is_single && of == Counted::kMean) {
     if (const Series* series = SeriesOf(report, runs.front(), cell))
       curve.quartiles = series->spreads;
     curve.counts.assign(curve.quartiles.size(), 1);
@@ -69,8 +73,8 @@ Curve CurveOf(const StudyReport& report, const Cell& cell) {
         std::vector<double> values;
         for (const std::size_t run : runs)
           if (const Series* series = SeriesOf(report, run, cell))
-            if (generation < series->means.size())
-              values.push_back(series->means[generation]);
+            if (generation < ValuesOf(*series, of).size())
+              values.push_back(ValuesOf(*series, of)[generation]);
         return values;
       },
       curve.counts, curve.quartiles);
@@ -79,10 +83,10 @@ Curve CurveOf(const StudyReport& report, const Cell& cell) {
 
 }  // namespace
 
-std::vector<Curve> CurvesOf(const StudyReport& report) {
+std::vector<Curve> CurvesOf(const StudyReport& report, Counted of) {
   std::vector<Curve> curves;
   for (const Cell& cell : CellsOf(report)) {
-    Curve curve = CurveOf(report, cell);
+    Curve curve = CurveOf(report, cell, of);
     if (std::any_of(
             curve.quartiles.begin(), curve.quartiles.end(),
             [](const Quartiles& one) { return !std::isnan(one.median); }))
@@ -91,17 +95,18 @@ std::vector<Curve> CurvesOf(const StudyReport& report) {
   return curves;
 }
 
-std::vector<Finals> FinalsOf(const StudyReport& report) {
+std::vector<Finals> FinalsOf(const StudyReport& report, Counted of) {
   std::vector<Finals> all;
   if (report.generation < 0) return all;
   const auto generation = static_cast<std::size_t>(report.generation);
   for (const Cell& cell : CellsOf(report)) {
-    Finals finals{cell.measure, cell.season, cell.experiment, {}, {}};
+    Finals finals{cell.measure, cell.season, cell.experiment, {}, {}, of};
     std::vector<double> values;
     for (const std::size_t run : report.experiments[cell.experiment].runs) {
       const Series* series = SeriesOf(report, run, cell);
-      if (series == nullptr || generation >= series->means.size()) continue;
-      const double value = series->means[generation];
+      if (series == nullptr || generation >= ValuesOf(*series, of).size())
+        continue;
+      const double value = ValuesOf(*series, of)[generation];
       if (std::isnan(value)) continue;
       finals.values.push_back({run, value});
       values.push_back(value);

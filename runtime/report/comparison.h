@@ -4,6 +4,7 @@
 // of one generation, tests between experiments. Each is of one measure in one
 // season; pure functions of the report.
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -12,34 +13,42 @@
 
 namespace plsc {
 
-/// By generation. Of several runs: quartiles of the population means of those
-/// that have completed it. Of a single run: quartiles of its population.
+/// Whose values a curve or a box is of: a run's population, or its best robot.
+enum class Counted : std::uint8_t { kMean, kBest };
+
+/// By generation. Of several runs: quartiles of the population means, or of the
+/// best robots, of those that have completed it. Of a single run: quartiles of
+/// its population, and the best robot alone.
 struct Curve {
   std::size_t measure = 0;
   std::size_t season = 0;  ///< index into StudyReport::seasons
   std::size_t experiment = 0;
   std::vector<int> counts;  ///< runs
   std::vector<Quartiles> quartiles;
+  Counted of = Counted::kMean;
 };
 /// In the order of measures, seasons, experiments; only where an experiment
 /// has the season and a run of it a value.
-std::vector<Curve> CurvesOf(const StudyReport& report);
+std::vector<Curve> CurvesOf(const StudyReport& report,
+                            Counted of = Counted::kMean);
 
 struct RunValue {
   std::size_t run = 0;  ///< index into StudyReport::runs
   double value = 0;
 };
-/// Population means of the runs that have completed the generation that is
-/// compared, in the shown unit.
+/// Population means, or values of the best robots, of the runs that have
+/// completed the generation that is compared, in the shown unit.
 struct Finals {
   std::size_t measure = 0;
   std::size_t season = 0;
   std::size_t experiment = 0;
   std::vector<RunValue> values;  ///< at least one
   BoxPlot box;
+  Counted of = Counted::kMean;
 };
 /// In the order of CurvesOf.
-std::vector<Finals> FinalsOf(const StudyReport& report);
+std::vector<Finals> FinalsOf(const StudyReport& report,
+                             Counted of = Counted::kMean);
 
 /// Between two experiments that are not static, two runs or more of each.
 struct Test {

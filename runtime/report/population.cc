@@ -143,7 +143,23 @@ class Reading {
       if (static_cast<std::size_t>(generation) + 1 == members_.size())
         survivors_.push_back(id);
     }
+    ReadBest(database);
     lived_.resize(lives_.size() * seasons_.size());
+  }
+
+  // The best of a pool need not have survived: tournaments are drawn.
+  void ReadBest(Database& database) {
+    best_.resize(members_.size(), kNowhere);
+    Statement row(database, "SELECT number, best FROM generation");
+    row.With();
+    while (row.Next()) {
+      const std::int64_t generation = row.TakeInteger();
+      const int id = row.TakeInt();
+      if (std::in_range<std::size_t>(generation) &&
+          static_cast<std::size_t>(generation) < best_.size())
+        best_[static_cast<std::size_t>(generation)] =
+            lives_.emplace(id, lives_.size()).first->second;
+    }
   }
 
   void ReadRobots(Database& database) {
@@ -213,13 +229,17 @@ class Reading {
                   bool with_spread) const {
     Series series;
     const double scale = measures_[measure].scale;
+    const auto value_of = [&](std::size_t life) {
+      return scale * ValueOf(measure, lived_[life * seasons_.size() + season]);
+    };
+    for (const std::size_t life : best_)
+      series.best.push_back(life == kNowhere ? kNone : value_of(life));
     std::vector<double> values;
     for (const std::vector<std::size_t>& members : members_) {
       values.clear();
       double sum = 0;
       for (const std::size_t life : members) {
-        const double value =
-            scale * ValueOf(measure, lived_[life * seasons_.size() + season]);
+        const double value = value_of(life);
         if (std::isnan(value)) continue;
         values.push_back(value);
         sum += value;
@@ -264,6 +284,7 @@ class Reading {
   std::unordered_map<int, std::size_t> lives_;     // from ids
   std::vector<Lived> lived_;                       // a life's seasons together
   std::vector<std::vector<std::size_t>> members_;  // lives, by generation
+  std::vector<std::size_t> best_;                  // lives, by generation
   std::vector<int> survivors_;                     // of the last generation
   std::vector<std::size_t> columns_;               // by measure
 };

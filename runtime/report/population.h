@@ -1,8 +1,9 @@
 #pragma once
 
 // What became of a run's population, generation by generation: means of
-// measures over its robots, and how many of them are plastic. Robots are read
-// once each, however many generations they live, and none is kept.
+// measures over its robots, those of the best one, and how many are plastic.
+// Robots are read once each, however many generations they live, and none is
+// kept.
 
 #include <string>
 #include <vector>
@@ -19,6 +20,7 @@ namespace plsc {
 struct Series {
   std::vector<double> means;       ///< in the shown unit
   std::vector<Quartiles> spreads;  ///< over robots; empty unless asked for
+  std::vector<double> best;        ///< of each generation's best robot
 };
 
 /// Of the robots of one generation, from 0 to 1.

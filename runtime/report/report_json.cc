@@ -11,6 +11,7 @@
 
 #include "runtime/formats/environment_json.h"
 #include "runtime/report/comparison.h"
+#include "runtime/report/experiment_difference.h"
 #include "runtime/scenario_terrain.h"
 
 namespace plsc {
@@ -19,7 +20,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int kFormat = 1;
+constexpr int kFormat = 2;
 // Clauses of states with numbers are all different; what is rare tells little.
 constexpr std::size_t kMostClauses = 40;
 
@@ -80,40 +81,68 @@ void AddQuartiles(const std::vector<Quartiles>& quartiles, Json& json) {
   json["high"] = QuartilesJson(quartiles, &Quartiles::high);
 }
 
-Json CurveJson(const Curve& curve) {
-  Json json{{"measure", curve.measure},
-            {"season", curve.season},
-            {"experiment", curve.experiment},
-            {"runs", curve.counts}};
+/// What tables are of, by name: indices mean nothing to who reads one of them.
+class Names {
+ public:
+  explicit Names(const StudyReport& report) : report_(report) {}
+
+  const std::string& Experiment(std::size_t index) const {
+    return report_.experiments[index].name;
+  }
+  const std::string& Run(std::size_t index) const {
+    return report_.runs[index].input.label;
+  }
+  /// The keys that begin an item about a measure in a season.
+  template <typename T>
+  Json Item(const T& one) const {
+    return {{"measure", report_.measures[one.measure].id},
+            {"season", report_.seasons[one.season]}};
+  }
+
+ private:
+  const StudyReport& report_;
+};
+
+const char* NameOf(Counted of) {
+  return of == Counted::kBest ? "best" : "mean";
+}
+
+Json CurveJson(const Curve& curve, const Names& names) {
+  Json json = names.Item(curve);
+  json["experiment"] = names.Experiment(curve.experiment);
+  json["of"] = NameOf(curve.of);
+  json["runs"] = curve.counts;
   AddQuartiles(curve.quartiles, json);
   return json;
 }
 
-Json FinalsJson(const Finals& finals) {
+Json FinalsJson(const Finals& finals, const Names& names) {
   const BoxPlot& box = finals.box;
-  Json json{{"measure", finals.measure},
-            {"season", finals.season},
-            {"experiment", finals.experiment},
-            {"low_whisker", Number(box.low_whisker)},
-            {"low", Number(box.quartiles.low)},
-            {"median", Number(box.quartiles.median)},
-            {"high", Number(box.quartiles.high)},
-            {"high_whisker", Number(box.high_whisker)},
-            {"mean", Number(box.mean)},
-            {"outliers", Json::array()},
-            {"values", Json::array()}};
+  Json json = names.Item(finals);
+  json["experiment"] = names.Experiment(finals.experiment);
+  json["of"] = NameOf(finals.of);
+  json["low_whisker"] = Number(box.low_whisker);
+  json["low"] = Number(box.quartiles.low);
+  json["median"] = Number(box.quartiles.median);
+  json["high"] = Number(box.quartiles.high);
+  json["high_whisker"] = Number(box.high_whisker);
+  json["mean"] = Number(box.mean);
+  json["outliers"] = Json::array();
   for (const double outlier : box.outliers)
     json["outliers"].push_back(Number(outlier));
+  json["values"] = Json::array();
   for (const RunValue& value : finals.values)
     json["values"].push_back(
-        {{"run", value.run}, {"value", Number(value.value)}});
+        {{"run", names.Run(value.run)}, {"value", Number(value.value)}});
   return json;
 }
 
-Json TestJson(const Test& test) {
-  Json json{{"measure", test.measure},       {"season", test.season},
-            {"first", test.first},           {"second", test.second},
-            {"first_runs", test.first_runs}, {"second_runs", test.second_runs}};
+Json TestJson(const Test& test, const Names& names) {
+  Json json = names.Item(test);
+  json["first"] = names.Experiment(test.first);
+  json["second"] = names.Experiment(test.second);
+  json["first_runs"] = test.first_runs;
+  json["second_runs"] = test.second_runs;
   json["w"] = test.result ? Json(test.result->w) : Json(nullptr);
   json["p"] = test.result ? Number(test.result->p) : Json(nullptr);
   json["exact"] = test.result ? Json(test.result->is_exact) : Json(nullptr);
@@ -121,10 +150,32 @@ Json TestJson(const Test& test) {
   return json;
 }
 
-Json PlasticJson(const PlasticCurve& curve) {
-  Json json{{"experiment", curve.experiment}, {"runs", curve.counts}};
+Json PlasticJson(const PlasticCurve& curve, const Names& names) {
+  Json json{{"experiment", names.Experiment(curve.experiment)},
+            {"runs", curve.counts}};
   AddQuartiles(curve.body, json["body"]);
   AddQuartiles(curve.brain, json["brain"]);
+  return json;
+}
+
+Json ValueJson(const std::optional<std::string>& value) {
+  return value ? Json(*value) : Json(nullptr);
+}
+
+Json DifferencesJson(const StudyReport& report) {
+  std::vector<Experiment> experiments;
+  for (const ReportExperiment& one : report.experiments)
+    experiments.push_back(one.experiment);
+  Json json = Json::array();
+  for (const KeyDifference& one : DifferencesOf(experiments)) {
+    Json item{{"key", one.key},
+              {"paper", ValueJson(one.paper)},
+              {"between", one.is_between},
+              {"values", Json::object()}};
+    for (std::size_t i = 0; i < one.values.size(); ++i)
+      item["values"][report.experiments[i].name] = ValueJson(one.values[i]);
+    json.push_back(std::move(item));
+  }
   return json;
 }
 
@@ -156,7 +207,7 @@ Json RegulationJson(const StudyReport& report) {
   for (std::size_t i = 0; i < report.experiments.size(); ++i) {
     const std::vector<RuleCount> rules = RulesOf(report, i);
     if (rules.empty()) continue;
-    json.push_back({{"experiment", i},
+    json.push_back({{"experiment", report.experiments[i].name},
                     {"symbols", CountsBy(rules, &RuleUse::symbol)},
                     {"clauses", CountsBy(rules, &RuleUse::clause)}});
   }
@@ -240,7 +291,7 @@ Json RunsJson(const StudyReport& report) {
   std::vector<Json> experiments(report.runs.size());
   for (std::size_t i = 0; i < report.experiments.size(); ++i)
     for (const std::size_t run : report.experiments[i].runs)
-      experiments[run] = i;
+      experiments[run] = report.experiments[i].name;
   Json json = Json::array();
   for (std::size_t run = 0; run < report.runs.size(); ++run)
     json.push_back(RunJson(report.runs[run], experiments[run]));
@@ -266,7 +317,9 @@ Json ConstantsJson(const StudyReport& report) {
                       {"name", constant.name},
                       {"value", constant.value},
                       {"unit", TextOrNull(constant.unit)}});
-    json.push_back({{"experiment", i}, {"same", is_same}, {"values", list}});
+    json.push_back({{"experiment", report.experiments[i].name},
+                    {"same", is_same},
+                    {"values", list}});
   }
   return json;
 }
@@ -281,7 +334,17 @@ Json ListJson(const Items& items, const Write& write) {
 }  // namespace
 
 std::string ReportJson(const StudyReport& report, const ReportMade& made) {
+  const Names names(report);
+  const auto named = [&](auto write) {
+    return [&names, write](const auto& one) { return write(one, names); };
+  };
   const std::vector<Finals> finals = FinalsOf(report);
+  auto curves = CurvesOf(report);
+  auto boxes = finals;
+  for (Curve& curve : CurvesOf(report, Counted::kBest))
+    curves.push_back(std::move(curve));
+  for (Finals& box : FinalsOf(report, Counted::kBest))
+    boxes.push_back(std::move(box));
   Json json;
   json["plsc_report"] = kFormat;
   json["title"] = report.title;
@@ -295,10 +358,11 @@ std::string ReportJson(const StudyReport& report, const ReportMade& made) {
   json["experiments"] = ListJson(
       report.experiments,
       [&](const ReportExperiment& one) { return ExperimentJson(report, one); });
-  json["curves"] = ListJson(CurvesOf(report), CurveJson);
-  json["finals"] = ListJson(finals, FinalsJson);
-  json["tests"] = ListJson(TestsOf(report, finals), TestJson);
-  json["plasticity"] = ListJson(PlasticCurvesOf(report), PlasticJson);
+  json["differences"] = DifferencesJson(report);
+  json["curves"] = ListJson(curves, named(CurveJson));
+  json["finals"] = ListJson(boxes, named(FinalsJson));
+  json["tests"] = ListJson(TestsOf(report, finals), named(TestJson));
+  json["plasticity"] = ListJson(PlasticCurvesOf(report), named(PlasticJson));
   json["regulation"] = RegulationJson(report);
   json["runs"] = RunsJson(report);
   json["constants"] = ConstantsJson(report);

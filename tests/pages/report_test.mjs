@@ -1,6 +1,6 @@
 // The page of `plsc report`, of a tiny real study whose names are hostile.
 import assert from "node:assert/strict";
-import { copyFileSync, mkdirSync, readFileSync, statSync, writeFileSync } from "node:fs";
+import { copyFileSync, cpSync, mkdirSync, readFileSync, rmSync, statSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { before, test } from "node:test";
 import { assertFitsWidth, desktop, downloaded, phone, plsc, scratch, screenshot, withPage } from "./browser.mjs";
@@ -29,6 +29,7 @@ const folder = join(scratch, "study");
 const file = join(scratch, "report.html");
 const single = join(scratch, "single.html");
 const still = join(scratch, "still.html");
+const waiting = join(scratch, "waiting.html");
 const partly = join(scratch, "partly.html");
 
 before(() => {
@@ -37,6 +38,12 @@ before(() => {
   plsc("report", folder, "-o", file);
   plsc("report", join(folder, "plastic/1.sqlite"), "-o", single, "--measures", "speed,hinge_count");
   plsc("report", join(folder, "static/1.sqlite"), "-o", still, "--measures", "speed,balance,size,hinge_count");
+
+  // Most runs missing.
+  const begun = join(scratch, "begun");
+  cpSync(folder, begun, { recursive: true });
+  for (const run of ["plastic/2", "plastic/3", "baseline/1", "baseline/2", "baseline/3", "static/2"]) rmSync(join(begun, `${run}.sqlite`));
+  plsc("report", begun, "-o", waiting, "--measures", "size");
 
   // One run missing, one damaged, one whose name is a script.
   const runs = join(scratch, "runs");
@@ -74,9 +81,10 @@ for (const [name, size] of [
       await assertFitsWidth(page);
       const charts = await chartsOf(page);
       const kinds = (kind) => charts.filter((chart) => chart.kind === kind);
-      // Six measures in two seasons; shares of bodies and of brains.
-      assert.equal(kinds("curves").length, 6 * 2 + 2);
-      assert.equal(kinds("boxes").length, 6 * 2);
+      // Six measures in two seasons, of means and of the best robots; shares of
+      // bodies and of brains.
+      assert.equal(kinds("curves").length, 2 * 6 * 2 + 2);
+      assert.equal(kinds("boxes").length, 2 * 6 * 2);
       assert.equal(kinds("bars").length, 2);
       for (const chart of charts) assert.ok(chart.isFinite, `${chart.title} has what is no number`);
       for (const { title, lines, bands, legend } of kinds("curves")) {
@@ -90,7 +98,8 @@ for (const [name, size] of [
         assert.equal(dots, 6, title); // a run each
         assert.equal(means, 2, title);
         assert.equal(references, title.includes("flat") ? 1 : 0, title);
-        assert.equal(lines, 1, `${title}: a bracket`);
+        const isTested = !title.includes("best robots");
+        assert.equal(lines, isTested ? 1 : 0, `${title}: a bracket`);
       }
       for (const { title, bars } of kinds("bars")) assert.ok(bars >= 5, title);
       await screenshot(page, `report-${name}`);
@@ -135,7 +144,7 @@ test("each button gives its file", () =>
   withPage(file, desktop, async (page) => {
     const buttons = page.locator("figure.chart button");
     const count = await buttons.count();
-    assert.equal(count, 2 * (6 * 2 + 2 + 6 * 2 + 2));
+    assert.equal(count, 2 * (2 * 6 * 2 + 2 + 2 * 6 * 2 + 2));
     const names = new Set();
     for (let i = 0; i < count; ++i) {
       const button = buttons.nth(i);
@@ -170,12 +179,29 @@ test("tables can be had as CSV, their numbers those of the JSON", () =>
     assert.equal((await csvOf("the runs")).length, 1 + 9);
     assert.equal((await csvOf("the best robots")).length, 1 + 15);
     const speeds = await csvOf("Speed of generation 3, flat");
-    const values = data.finals.filter(({ measure, season }) => measure === 0 && season === 0).flatMap(({ values }) => values);
+    const values = data.finals.filter(({ measure, season, of }) => measure === data.measures[0].id && season === "flat" && of === "mean").flatMap(({ values }) => values);
     assert.deepEqual(speeds.slice(1).map((line) => Number(line.split(",").at(-1))), values.map(({ value }) => value));
     // With three runs each there is no p below a tenth, and the page says so.
     assert.ok(data.tests.every(({ p }) => p === null || p >= 0.1));
     assert.match(await page.textContent("#tests"), /cannot be below 0\.1/);
     assert.match(await page.textContent("#tests"), /12 tests, not corrected/);
+  }));
+
+test("it says in what the experiments differ", () =>
+  withPage(file, desktop, async (page) => {
+    const rows = await page.$$eval("#differences tbody tr", (lines) => lines.map((line) => [...line.cells].map((cell) => cell.textContent)));
+    const of = (key) => rows.find(([name]) => name === key)?.slice(1);
+    assert.deepEqual(of("encoding"), ["plasticoding", "plasticoding", "baseline", "baseline"]);
+    assert.deepEqual(of("population"), ["100", "6", "6", "6"]);
+    assert.deepEqual(of("scenario.seasons.tilted.duration"), ["50 s", "1 s", "1 s", "–"]);
+    assert.equal(of("mutation"), undefined);
+    assert.equal(rows[0][0], "encoding"); // what differs between them comes first
+  }));
+
+test("what is not finished is told in groups", () =>
+  withPage(waiting, desktop, async (page) => {
+    const warning = await page.textContent("header .warning");
+    assert.match(warning, /Not finished: plastic 2, 3 \(missing\); baseline 1 to 3 \(missing\); static 2 \(missing\)\./);
   }));
 
 test("it can be printed", () =>
@@ -190,7 +216,7 @@ test("it can be printed", () =>
 test("keys reach the links and the buttons", () =>
   withPage(file, desktop, async (page) => {
     await page.keyboard.press("Tab");
-    assert.equal(await page.evaluate(() => document.activeElement.getAttribute("href")), "#measure-0");
+    assert.equal(await page.evaluate(() => document.activeElement.getAttribute("href")), "#differences");
     for (const link of await page.$$eval("nav a", (links) => links.map((link) => link.getAttribute("href")))) assert.equal(await page.locator(link).count(), 1);
   }));
 
@@ -202,6 +228,11 @@ test("one run alone shows its population", () =>
     assert.equal(charts.filter(({ kind }) => kind === "boxes").length, 0);
     assert.equal(await page.locator("#tests").count(), 0);
     assert.match(await page.textContent("#measures"), /quartiles of the population's robots/);
+    for (const { kind, lines, legend, title } of charts)
+      if (kind === "curves" && !title.includes("differs")) {
+        assert.equal(lines, 2, title);
+        assert.deepEqual(legend, ["plastic", "plastic, best robot"]);
+      }
     await screenshot(page, "report-single-phone");
   }));
 

@@ -1,6 +1,7 @@
 #include "runtime/cli/program.h"
 
 #include <catch2/catch.hpp>
+#include <set>
 #include <sstream>
 
 #include "tests/runtime/cli/run_plsc.h"
@@ -49,6 +50,47 @@ TEST_CASE("a program is loaded with its text and its places", "[program]") {
   CHECK(loaded->source.text()[loaded->mapped.map.rules[0].head.begin] == 'C');
   CHECK_FALSE(cli::LoadWithMap("/none.pls", false, io));
   CHECK(err.str().find("P5014") != std::string::npos);
+}
+
+TEST_CASE("FILE#NAME warns of that genotype and of what all share",
+          "[program]") {
+  const test::TemporaryFolder folder;
+  std::string text = "plsc 1\nalphabet plasticoding 1\nrule T -> { T(1.5) }\n";
+  for (int i = 0; i < 20; ++i)
+    text += "genotype g" + std::to_string(i) + "\nrule C -> { C add_left T(1." +
+            std::to_string(10 + i) + ") }\n";
+  const std::string path = folder.Write("all.pls", text);
+  const auto other = folder.Write("other.pls", text);
+  const std::vector<std::vector<std::string>> commands = {
+      {"develop", path + "#g7"},
+      {"regulate", path + "#g7"},
+      {"why", path + "#g7", "--module", "1"},
+      {"draw", path + "#g7", "-o", folder / "a.svg"},
+      {"simulate", path + "#g7"},
+      {"export", path + "#g7", "--to", "urdf", "-o", folder / "a.urdf"},
+      {"mutate", path + "#g7", "--seed", "1"},
+      {"hash", path + "#g7"},
+      {"stats", path + "#g7"},
+      {"trim", path + "#g7", "--check"},
+      {"diff", path + "#g7", other + "#g7"},
+      {"cross", path + "#g7", other + "#g7", "--seed", "1"}};
+  for (auto command : commands) {
+    CAPTURE(command);
+    command.emplace_back("--allow-range");
+    const auto ran = test::RunPlsc(command);
+    CHECK(ran.exit != 2);
+    std::set<std::string> places;
+    for (std::size_t at = ran.err.find(".pls:"); at != std::string::npos;
+         at = ran.err.find(".pls:", at + 1))
+      places.insert(ran.err.substr(at + 5, ran.err.find(':', at + 5) - at - 5));
+    // The shared rule in line 3, and the genotype's own in line 19.
+    for (const std::string& line : places) CHECK((line == "3" || line == "19"));
+    if (command[0] == "develop" || command[0] == "mutate")
+      CHECK(places == std::set<std::string>{"3", "19"});
+  }
+  // Without a name the file is meant, with all its warnings.
+  const auto all = test::RunPlsc({"stats", path, "--allow-range"});
+  CHECK(all.err.find(".pls:57:") != std::string::npos);
 }
 
 TEST_CASE("FILE#NAME chooses a genotype of a file", "[program]") {

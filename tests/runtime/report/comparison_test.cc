@@ -30,7 +30,9 @@ struct Made {
     ReportRun run;
     run.reading.population.seasons = {"flat"};
     run.reading.population.generations = static_cast<int>(means.size());
-    run.reading.population.series = {{std::move(means), {}}};
+    std::vector<double> best;
+    for (const double mean : means) best.push_back(mean + 0.5);
+    run.reading.population.series = {{std::move(means), {}, std::move(best)}};
     report.experiments[experiment].runs.push_back(report.runs.size());
     report.runs.push_back(std::move(run));
   }
@@ -52,6 +54,27 @@ TEST_CASE("Curves are quartiles of the runs that got there", "[comparison]") {
   CHECK(curves[0].quartiles[0].median == 2);
   CHECK(curves[0].quartiles[0].high == 3);
   CHECK(curves[0].quartiles[1].median == 15);
+}
+
+TEST_CASE("The best robots have curves and boxes of their own",
+          "[comparison]") {
+  Made made;
+  made.Add(0, {1, 10});
+  made.Add(0, {2, 20});
+  made.Add(0, {NAN, NAN});
+  const std::vector<Curve> curves = CurvesOf(made.report, Counted::kBest);
+  REQUIRE(curves.size() == 1);
+  CHECK(curves[0].of == Counted::kBest);
+  CHECK(curves[0].counts == std::vector<int>{2, 2});
+  CHECK(curves[0].quartiles[1].median == 15.5);
+  const std::vector<Finals> finals = FinalsOf(made.report, Counted::kBest);
+  REQUIRE(finals.size() == 1);
+  CHECK(finals[0].values[0].value == 10.5);
+  CHECK(finals[0].box.mean == 15.5);
+  // Of one run alone it is that robot.
+  made.report.experiments[0].runs = {1};
+  made.report.is_single = true;
+  CHECK(CurvesOf(made.report, Counted::kBest)[0].quartiles[0].high == 2.5);
 }
 
 TEST_CASE("Finals are of the runs that completed the generation",

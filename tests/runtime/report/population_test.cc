@@ -74,6 +74,39 @@ TEST_CASE("Means are those that SQL finds, for every measure and season",
   CHECK(numbers > 100);
 }
 
+TEST_CASE("The best robot's values are those that SQL finds", "[population]") {
+  const test::Scratch scratch;
+  test::WriteRun(scratch / "run");
+  Database database;
+  REQUIRE_FALSE(database.Open(scratch / "run", Database::Mode::kRead));
+  const auto measures = AllMeasures();
+  const PopulationSummary summary =
+      SummarisePopulation(database, measures, false);
+  int numbers = 0;
+  for (std::size_t m = 0; m < measures.size(); ++m)
+    for (std::size_t s = 0; s < summary.seasons.size(); ++s) {
+      Statement row(database, "SELECT " + measures[m].id +
+                                  " FROM generation JOIN result ON result.id = "
+                                  "generation.best WHERE season = ? "
+                                  "ORDER BY generation.number");
+      row.With(summary.seasons[s]);
+      const Series& series = summary.of(m, s);
+      REQUIRE(series.best.size() == series.means.size());
+      for (const double best : series.best) {
+        CAPTURE(measures[m].id, summary.seasons[s]);
+        REQUIRE(row.Next());
+        const double expected = row.TakeReal() * measures[m].scale;
+        if (std::isnan(expected))
+          CHECK(std::isnan(best));
+        else
+          CHECK(best == Approx(expected).margin(1e-12));
+        numbers += std::isnan(best) ? 0 : 1;
+      }
+      CHECK_FALSE(row.Next());
+    }
+  CHECK(numbers > 50);
+}
+
 TEST_CASE("Shares of plastic robots are those that SQL finds", "[population]") {
   const test::Scratch scratch;
   test::WriteRun(scratch / "run");

@@ -2,7 +2,9 @@
 
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "tests/runtime/report/reported_study.h"
 
@@ -20,7 +22,7 @@ json JsonOf(const StudyReport& report) {
 
 TEST_CASE("The JSON of a report has every part of it", "[report_json]") {
   const json report = JsonOf(ReportedStudy::Get().report);
-  CHECK(report["plsc_report"] == 1);
+  CHECK(report["plsc_report"] == 2);
   CHECK(report["title"] == "reported");
   CHECK(report["made"]["by"] == "plsc 1");
   CHECK(report["generation"] == 4);
@@ -31,6 +33,7 @@ TEST_CASE("The JSON of a report has every part of it", "[report_json]") {
   CHECK(report["experiments"][3]["seasons"][0]["shown_in"] == "tilted");
   CHECK(report["curves"][0]["median"].size() == 5);
   CHECK(report["finals"][0]["values"].size() == 2);
+  CHECK(report["finals"][0]["values"][0]["run"] == "plastic/1");
   CHECK(report["tests"][0]["p"].is_number());
   CHECK(report["plasticity"].size() == 2);
   REQUIRE(report["regulation"].size() == 1);
@@ -51,8 +54,56 @@ TEST_CASE("Runs are told with their state, and what there is of them",
   CHECK(runs[0]["best"]["rules"][0]["held"].size() == 2);
   CHECK(runs[2]["state"] == "unfinished");
   CHECK(runs[11]["state"] == "missing");
-  CHECK(runs[11]["experiment"] == 3);
+  CHECK(runs[11]["experiment"] == "tilted");
   CHECK_FALSE(runs[11].contains("seed"));
+}
+
+TEST_CASE("Whatever a table is of has a name", "[report_json]") {
+  const json report = JsonOf(ReportedStudy::Get().report);
+  std::set<json> measures;
+  std::set<json> experiments;
+  for (const json& one : report["measures"]) measures.insert(one["id"]);
+  for (const json& one : report["experiments"]) experiments.insert(one["name"]);
+  const std::set<json> seasons(report["seasons"].begin(),
+                               report["seasons"].end());
+  for (const char* table : {"curves", "finals", "tests"})
+    for (const json& one : report[table]) {
+      CHECK(measures.contains(one["measure"]));
+      CHECK(seasons.contains(one["season"]));
+    }
+  for (const char* table :
+       {"curves", "finals", "plasticity", "regulation", "runs", "constants"})
+    for (const json& one : report[table])
+      CHECK(experiments.contains(one["experiment"]));
+  for (const json& one : report["tests"]) {
+    CHECK(experiments.contains(one["first"]));
+    CHECK(experiments.contains(one["second"]));
+  }
+}
+
+TEST_CASE("Curves and boxes are of means and of the best robots",
+          "[report_json]") {
+  const json report = JsonOf(ReportedStudy::Get().report);
+  for (const char* table : {"curves", "finals"}) {
+    std::map<std::string, int> counts;
+    for (const json& one : report[table]) ++counts[one["of"]];
+    CHECK(counts["mean"] > 20);
+    CHECK(counts["best"] == counts["mean"]);
+  }
+}
+
+TEST_CASE("The JSON says in what experiments differ", "[report_json]") {
+  const json report = JsonOf(ReportedStudy::Get().report);
+  std::map<std::string, json> by_key;
+  for (const json& one : report["differences"])
+    by_key[one["key"].get<std::string>()] = one;
+  CHECK(by_key["encoding"]["paper"] == "plasticoding");
+  CHECK(by_key["encoding"]["between"] == true);
+  CHECK(by_key["encoding"]["values"]["baseline"] == "baseline");
+  CHECK(by_key["population"]["paper"] == "100");
+  CHECK(by_key["population"]["between"] == false);
+  CHECK(
+      by_key["scenario.seasons.slope.terrain"]["values"]["plastic"].is_null());
 }
 
 TEST_CASE("Counts by symbol and by clause are of the same rules",
@@ -86,7 +137,7 @@ TEST_CASE("Numbers have six digits, and none is null", "[report_json]") {
   run.reading.state = RunState::kUnfinished;
   run.reading.population.seasons = {"flat"};
   run.reading.population.generations = 2;
-  run.reading.population.series = {{{NAN, 1.23456789}, {}}};
+  run.reading.population.series = {{{NAN, 1.23456789}, {}, {}}};
   report.runs = {run};
   const json printed = JsonOf(report);
   CHECK(printed["curves"][0]["median"][0].is_null());

@@ -41,7 +41,7 @@ export function curvesFigure(chart) {
   const tips = chart.lines.flatMap((line) =>
     pointsOf(line)
       .filter(({ median }) => median !== null)
-      .map((point) => ({ ...point, text: `${line.name}\ngeneration ${point.generation}: ${number(point.median)}\nquartiles ${number(point.low)} to ${number(point.high)}\n${chart.isSingle ? "of the population" : `runs: ${point.runs}`}` })),
+      .map((point) => ({ ...point, text: `${line.name}\ngeneration ${point.generation}: ${number(point.median)}\n${line.isOne ? "one robot" : `quartiles ${number(point.low)} to ${number(point.high)}\n${chart.isSingle ? "of the population" : `runs: ${point.runs}`}`}` })),
   );
   const svg = Plot.plot({
     width,

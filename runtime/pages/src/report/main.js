@@ -3,13 +3,16 @@ import "../common/base.css";
 import "./main.css";
 import { readData } from "../common/data.js";
 import { element } from "../common/dom.js";
+import { differencesSection } from "./differences.js";
 import { gallerySection } from "./gallery.js";
 import { measureSection } from "./measures.js";
+import { numbered } from "./numbered.js";
 import { plasticitySection } from "./plasticity.js";
 import { provenanceSection } from "./provenance.js";
 import { stylesOf } from "./series.js";
 import { testsSection } from "./tests.js";
 import { plural } from "./text.js";
+import { unfinishedText } from "./unfinished.js";
 
 function statesText(runs) {
   const counts = new Map();
@@ -37,7 +40,7 @@ function header(data) {
     element("h1", {}, data.title),
     element("p", { class: "quiet" }, `${plural(data.runs.length, "run")} of ${plural(data.experiments.length, "experiment")}: ${statesText(data.runs)}. Made by ${data.made.by}, ${data.made.at}.`),
     waiting.length
-      ? element("p", { class: "warning" }, `Not finished: ${waiting.map(({ label, state, generations, generations_planned: planned }) => `${label} (${state}${planned ? `, ${generations} of ${planned} generations` : ""})`).join(", ")}. What is shown will change.`)
+      ? element("p", { class: "warning" }, `Not finished: ${unfinishedText(waiting)}. What is shown will change.`)
       : null,
     left.map(({ label, problem }) => element("p", { class: "warning" }, `Left out: ${label}. ${problem}.`)),
     element("dl", {}, data.experiments.map((one) => [element("dt", {}, one.name), element("dd", {}, experimentText(one))])),
@@ -52,17 +55,18 @@ function contents(sections) {
 function measuresSection(data, measures) {
   if (!measures.length) return element("section", { id: "measures" }, element("h2", {}, "Measures"), element("p", {}, "No generation is completed yet."));
   const note = data.single
-    ? "Lines are medians and bands quartiles of the population's robots, in each generation. Robots whose life was not completed have no behaviour and are left out."
-    : "Each run counts with the mean of its population. Lines are medians and bands quartiles of runs. Boxes are quartiles, whiskers end at the farthest run within 1.5 times the box, dots are runs, diamonds means. Robots whose life was not completed have no behaviour and are left out.";
+    ? "Lines are medians and bands quartiles of the population's robots, in each generation, and the thin line is its best robot, the one that dominates most others. Robots whose life was not completed have no behaviour and are left out."
+    : "Each run counts with the mean of its population, and below with its best robot, the one that dominates most others. Lines are medians and bands quartiles of runs. Boxes are quartiles, whiskers end at the farthest run within 1.5 times the box, dots are runs, diamonds means. Robots whose life was not completed have no behaviour and are left out.";
   return element("section", { id: "measures" }, element("h2", {}, "Measures"), element("p", { class: "note" }, note), element("div", { class: data.single && data.seasons.length === 1 ? "pairs" : null }, measures));
 }
 
 function show(data) {
   const styles = stylesOf(data.experiments);
   const measures = data.measures.map((_, index) => measureSection(data, styles, index)).filter(Boolean);
+  const differences = differencesSection(data);
   const rest = [testsSection(data), plasticitySection(data, styles), gallerySection(data), provenanceSection(data)].filter(Boolean);
   const all = measuresSection(data, measures);
-  document.body.append(element("main", {}, header(data), contents([...measures, ...rest]), all, rest));
+  document.body.append(element("main", {}, header(data), contents([differences, ...measures, ...rest]), differences, all, rest));
 }
 
-show(readData());
+show(numbered(readData()));

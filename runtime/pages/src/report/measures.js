@@ -16,66 +16,99 @@ function domainOf(values) {
   return [low >= 0 ? Math.max(0, low - air) : low - air, high + air];
 }
 
-function curveCaption(data, season, lines) {
+// What of a run counts.
+const kinds = {
+  mean: { of: "population means", title: "" },
+  best: { of: "best robots", title: " of the best robots" },
+};
+
+function curveCaption(data, season, lines, of) {
   const counts = lines.flatMap(({ counts }) => counts);
   const references = lines.filter(({ hasBand }) => !hasBand);
   const what = data.single
-    ? "median and quartiles of the population of the one run"
-    : `median and quartiles of the runs' population means, n = ${range(counts)} runs an experiment`;
+    ? "median and quartiles of the population of the one run, and its best robot"
+    : `median and quartiles of the runs' ${kinds[of].of}, n = ${range(counts)} runs an experiment`;
   const dotted = references.length ? `; grey: median of ${references.map(({ name }) => name).join(", ")}, where the season is always the same` : "";
   return `${season}: ${what}${dotted}.`;
 }
 
-function boxCaption(data, season, boxes, tests) {
+function boxCaption(data, season, boxes, tests, of) {
   const n = boxes.map(({ values }) => values.length);
   const told = tests.map(({ p }) => (p === null ? "no test: all values are equal" : `p = ${pValue(p)}`));
   const test = told.length === 1 ? ` Rank-sum test: ${told[0].replaceAll(" ", "\u00a0")}.` : "";
-  return `${season}, generation ${data.generation}: population means, n = ${n.join(", ")} runs.${test}`;
+  return `${season}, generation ${data.generation}: ${kinds[of].of}, n = ${n.join(", ")} runs.${test}`;
 }
 
-export function measureSection(data, styles, index) {
+// A row of charts: curves and boxes of one kind, in every season.
+function chartsOf(data, styles, index, of) {
   const measure = data.measures[index];
-  const mine = (list) => list.filter((one) => one.measure === index);
+  const mine = (list) => list.filter((one) => one.measure === index && (one.of ?? "mean") === of);
   const curves = mine(data.curves);
   const finals = mine(data.finals);
-  const tests = mine(data.tests);
+  const tests = of === "mean" ? mine(data.tests) : [];
   if (!curves.length) return null;
-  const curveDomain = domainOf(curves.flatMap(({ experiment, low, median, high }) => (data.experiments[experiment].static ? [median] : [low, high])));
-  const boxDomain = domainOf(finals.flatMap(({ experiment, values, mean }) => (data.experiments[experiment].static ? [mean] : values.map(({ value }) => value))));
+  const isStatic = ({ experiment }) => data.experiments[experiment].static;
+  const title = `${measure.title}${kinds[of].title}`;
+  const bests = data.single ? data.curves.filter((one) => one.measure === index && one.of === "best") : [];
+  const curveDomain = domainOf([...curves.flatMap((one) => (isStatic(one) ? [one.median] : [one.low, one.high])), ...bests.map(({ median }) => median)]);
+  const boxDomain = domainOf(finals.flatMap((one) => (isStatic(one) ? [one.mean] : one.values.map(({ value }) => value))));
   const generations = [0, Math.max(1, ...curves.map(({ median }) => median.length - 1))];
   const width = data.single ? widthInRow(data.seasons.length) : usualWidth;
   const figures = { curves: [], boxes: [] };
   data.seasons.forEach((season, seasonIndex) => {
     const here = (one) => one.season === seasonIndex;
-    const common = { yLabel: `${season}: ${withUnit(measure)}`, columns: { measure: measure.id, unit: measure.unit ?? "", season } };
-    const lines = curves.filter(here).map(({ experiment, low, median, high, runs }) => ({
-      name: data.experiments[experiment].name,
-      style: styles[experiment],
-      hasBand: !data.experiments[experiment].static,
-      counts: runs,
-      low,
-      median,
-      high,
+    const common = { yLabel: `${season}: ${withUnit(measure)}`, columns: { measure: measure.id, unit: measure.unit ?? "", season, of } };
+    const lines = curves.filter(here).map((one) => ({
+      name: data.experiments[one.experiment].name,
+      style: styles[one.experiment],
+      hasBand: !isStatic(one) || data.single,
+      counts: one.runs,
+      low: one.low,
+      median: one.median,
+      high: one.high,
+    }));
+    // Beside the population of the one run, its best robot.
+    const robots = bests.filter(here).map((one) => ({
+      name: `${data.experiments[one.experiment].name}, best robot`,
+      style: { ...styles[one.experiment], width: 1, dash: "3 2" },
+      hasBand: false,
+      isOne: true,
+      counts: one.runs,
+      low: one.low,
+      median: one.median,
+      high: one.high,
     }));
     if (lines.length)
       figures.curves.push(
-        curvesFigure({ ...common, title: `${measure.title} over generations, ${season}`, name: fileName(measure.title, season, "curves"), domain: curveDomain, generations, lines, width, isSingle: data.single, caption: curveCaption(data, season, lines) }),
+        curvesFigure({ ...common, title: `${title} over generations, ${season}`, name: fileName(title, season, "curves"), domain: curveDomain, generations, lines: [...lines, ...robots], width, isSingle: data.single, caption: curveCaption(data, season, lines, of) }),
       );
     const named = finals.filter(here).map((one) => ({
       ...one,
       name: data.experiments[one.experiment].name,
       style: styles[one.experiment],
-      values: one.values.map(({ run, value }) => ({ run: data.runs[run].label, value })),
     }));
-    const boxes = named.filter(({ experiment }) => !data.experiments[experiment].static);
-    const references = named.filter(({ experiment }) => data.experiments[experiment].static);
+    const boxes = named.filter((one) => !isStatic(one));
+    const references = named.filter(isStatic);
     // Of one run there is no distribution of runs.
     if (boxes.length && !data.single)
       figures.boxes.push(
-        boxesFigure({ ...common, title: `${measure.title} of generation ${data.generation}, ${season}`, name: fileName(measure.title, season, "boxes"), domain: boxDomain, boxes, references, tests: tests.filter(here), caption: boxCaption(data, season, boxes, tests.filter(here)) }),
+        boxesFigure({ ...common, title: `${title} of generation ${data.generation}, ${season}`, name: fileName(title, season, "boxes"), domain: boxDomain, boxes, references, tests: tests.filter(here), caption: boxCaption(data, season, boxes, tests.filter(here), of) }),
       );
   });
-  return element("section", { class: "measure", id: `measure-${index}` }, element("h3", {}, withUnit(measure)), element("div", { class: "charts" }, figures.curves, figures.boxes));
+  return element("div", { class: "charts" }, figures.curves, figures.boxes);
+}
+
+export function measureSection(data, styles, index) {
+  const means = chartsOf(data, styles, index, "mean");
+  if (!means) return null;
+  const best = data.single ? null : chartsOf(data, styles, index, "best");
+  return element(
+    "section",
+    { class: "measure", id: `measure-${index}` },
+    element("h3", {}, withUnit(data.measures[index])),
+    means,
+    best ? [element("h4", {}, "Best robot of each run"), best] : null,
+  );
 }
 
 // What the means of two experiments differ by.

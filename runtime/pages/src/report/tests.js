@@ -14,7 +14,7 @@ function choose(n, k) {
 const leastP = (m, n) => Math.min(1, 2 / choose(m + n, Math.min(m, n)));
 
 const finalOf = (data, test, experiment) =>
-  data.finals.find((one) => one.measure === test.measure && one.season === test.season && one.experiment === experiment);
+  data.finals.find((one) => one.of === "mean" && one.measure === test.measure && one.season === test.season && one.experiment === experiment);
 
 function rowOf(data, test) {
   const first = finalOf(data, test, test.first);
