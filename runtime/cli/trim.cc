@@ -7,8 +7,11 @@
 #include <ostream>
 
 #include "runtime/cli/commands.h"
+#include "runtime/cli/load_yaml.h"
 #include "runtime/cli/output_path.h"
 #include "runtime/cli/program.h"
+#include "runtime/cli/recorded_life.h"
+#include "runtime/season_environments.h"
 
 namespace plsc::cli {
 
@@ -81,6 +84,21 @@ std::optional<std::size_t> Only(const LoadedFile& file) {
   return file.chosen.front();
 }
 
+// Where each genotype of the file may develop in the scenario. Prints what is
+// wrong.
+bool PutIntoSeasons(const std::string& scenario_file, const LoadedFile& file,
+                    TrimOptions& options, Io& io) {
+  if (scenario_file.empty()) return true;
+  const auto scenario = LoadScenario(scenario_file, io);
+  if (!scenario) return false;
+  for (const MappedProgram& one : file.all) {
+    const Genotype& genotype = one.program.genotype;
+    if (!CanLive(*scenario, genotype, io)) return false;
+    options.lived.push_back(PossibleEnvironments(genotype, *scenario));
+  }
+  return true;
+}
+
 // Whether the text went where it was wanted.
 bool Deliver(const TrimCommand& command, const Source& source,
              const Trimmed& trimmed, Io& io) {
@@ -105,12 +123,15 @@ Exit Run(const TrimCommand& command, Io& io) {
     io.err << "plsc: --write wants a file, not standard input\n";
     return Exit::kBadUsage;
   }
-  if (!CanWrite(command.output, {input}, io)) return Exit::kBadInput;
+  if (!CanWrite(command.output, {input, command.scenario}, io))
+    return Exit::kBadInput;
   const auto file = LoadFile(command.file, command.allow_range, io);
   if (!file) return Exit::kBadInput;
   TrimOptions options;
   options.only = Only(*file);
   options.compile.allow_out_of_range = command.allow_range;
+  if (!PutIntoSeasons(command.scenario, *file, options, io))
+    return Exit::kBadInput;
   const Result<Trimmed> trimmed = Trim(file->source, options);
   if (!trimmed) {
     Report(trimmed.diagnostics(), file->source, io);
