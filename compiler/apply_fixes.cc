@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <map>
 #include <set>
 #include <utility>
 
@@ -20,17 +21,25 @@ std::size_t CountErrors(const std::vector<Diagnostic>& diagnostics) {
       [](const Diagnostic& d) { return d.severity == Severity::kError; }));
 }
 
-// Whether two changes cannot both be made. Two insertions at one place touch:
-// their order would matter.
-bool Touch(const Fix& a, const Fix& b) {
-  if (a.span.begin == b.span.begin) return true;
-  return a.span.begin < b.span.end && b.span.begin < a.span.end;
-}
+// Places that changes were chosen for. Two changes cannot both be made where
+// they overlap, nor where they begin: of two insertions the order would matter.
+class Taken {
+ public:
+  bool Touches(Span span) const {
+    const auto next = ends_.lower_bound(span.begin);
+    if (next != ends_.end() &&
+        (next->first == span.begin || next->first < span.end))
+      return true;
+    return next != ends_.begin() && std::prev(next)->second > span.begin;
+  }
+  void Add(Span span) {
+    std::uint32_t& end = ends_[span.begin];
+    end = std::max(end, span.end);
+  }
 
-bool TouchesAny(const Fix& fix, const std::vector<Fix>& others) {
-  return std::any_of(others.begin(), others.end(),
-                     [&](const Fix& other) { return Touch(fix, other); });
-}
+ private:
+  std::map<std::uint32_t, std::uint32_t> ends_;  // by begin
+};
 
 bool IsInText(const Fix& fix, const Source& source) {
   return fix.span.begin <= fix.span.end && fix.span.end <= source.text().size();
@@ -49,12 +58,15 @@ std::vector<const Diagnostic*> Fixable(
   return fixable;
 }
 
-MadeFix Describe(const Fix& fix, const std::string& code,
+MadeFix Describe(const Fix& fix, const Diagnostic& diagnostic,
                  const Source& source) {
-  return {source.PositionOf(fix.span.begin), code,
+  // With several changes the note tells them.
+  const bool has_note =
+      diagnostic.fixes.size() == 1 && !diagnostic.notes.empty();
+  return {source.PositionOf(fix.span.begin), diagnostic.code,
           std::string(source.text().substr(fix.span.begin,
                                            fix.span.end - fix.span.begin)),
-          fix.replacement};
+          fix.replacement, has_note ? diagnostic.notes.front() : ""};
 }
 
 // One path of mending: each round goes on from the text of the last.
@@ -130,16 +142,18 @@ MendedText ApplyFixes(const Source& source,
                       const std::vector<Diagnostic>& diagnostics) {
   MendedText mended;
   std::vector<Fix> chosen;
+  Taken taken;
   for (const Diagnostic* diagnostic : Fixable(diagnostics)) {
     const bool can_be_made =
         std::all_of(diagnostic->fixes.begin(), diagnostic->fixes.end(),
                     [&](const Fix& fix) {
-                      return IsInText(fix, source) && !TouchesAny(fix, chosen);
+                      return IsInText(fix, source) && !taken.Touches(fix.span);
                     });
     if (!can_be_made) continue;
     for (const Fix& fix : diagnostic->fixes) {
       chosen.push_back(fix);
-      mended.made.push_back(Describe(fix, diagnostic->code, source));
+      taken.Add(fix.span);
+      mended.made.push_back(Describe(fix, *diagnostic, source));
     }
   }
   std::sort(chosen.begin(), chosen.end(), [](const Fix& a, const Fix& b) {
@@ -148,7 +162,7 @@ MendedText ApplyFixes(const Source& source,
   std::uint32_t copied = 0;
   for (const Fix& fix : chosen) {
     mended.text += source.text().substr(copied, fix.span.begin - copied);
-    mended.text += fix.replacement;
+    mended.text += WithLineEndsOf(source.text(), fix.replacement);
     copied = fix.span.end;
   }
   mended.text += source.text().substr(copied);

@@ -17,6 +17,8 @@ struct MadeFix {
   std::string code;         ///< of the diagnostic
   std::string removed;      ///< empty for an insertion
   std::string replacement;  ///< empty for a deletion
+  /// What else to know of it, such as that arguments have another order.
+  std::string note;
 };
 
 struct MendedText {

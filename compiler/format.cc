@@ -55,7 +55,8 @@ Result<std::string> Format(const Source& source, const FormatOptions& options) {
     return Defect("does not have the same comments");
   if (Layout(reparsed.file, alphabets, options.compact) != text)
     return Defect("would change when formatted again");
-  return {std::move(text), programs.diagnostics()};
+  return {WithLineEndsOf(source.text(), std::move(text)),
+          programs.diagnostics()};
 }
 
 }  // namespace plsc

@@ -22,7 +22,8 @@ struct FormatOptions {
 };
 
 /// The errors when the file does not compile. What is returned is checked: it
-/// compiles to an equal Program, has all comments, and formats to itself.
+/// compiles to an equal Program, has all comments, and formats to itself. Its
+/// lines end as the first line of the source does.
 Result<std::string> Format(const Source& source,
                            const FormatOptions& options = {});
 

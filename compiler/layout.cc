@@ -163,10 +163,22 @@ class Writer {
     text_ += '\n';
   }
 
-  // Comments before `until`, each on a line; returns the next one.
-  std::size_t WriteComments(std::size_t next, std::uint32_t until,
-                            std::size_t indent) {
-    for (; HasComment(next, until); ++next) WriteComment(next, indent);
+  // Between braces: an empty line where one stands before `begin`, but for the
+  // first that stands there.
+  void WriteParagraph(std::uint32_t begin) {
+    if (last_end_ > 0 && IsBlankBetween(last_end_, begin)) text_ += '\n';
+  }
+
+  // Comments before `until`, each on a line; returns the next one. What stands
+  // in the middle of an element, which begins at `begin`, moves before it.
+  std::size_t WriteInner(std::size_t next, std::uint32_t begin,
+                         std::uint32_t until) {
+    for (; HasComment(next, until); ++next) {
+      const Span comment = file_.comments[next];
+      WriteParagraph(std::min(comment.begin, begin));
+      WriteComment(next, 2);
+      last_end_ = comment.end;
+    }
     return next;
   }
 
@@ -178,6 +190,7 @@ class Writer {
       return next;
     text_ += "  ";
     text_ += CommentText(next);
+    if (last_end_ > 0) last_end_ = file_.comments[next].end;
     return next + 1;
   }
 
@@ -224,8 +237,9 @@ class Writer {
     const bool is_string = part.item->kind == ast::ItemKind::kTest &&
                            file_.tests[part.item->index].nodes.count == 0;
     if (((is_compact_ && is_rule) || is_string) && !has_inner &&
-        WriteOnOneLine(item))
+        !HasParagraphs(item) && WriteOnOneLine(item))
       return next;
+    last_end_ = 0;
     const std::uint32_t close = item.braces.end - 1;
     const std::uint32_t first =
         item.elements.empty() ? close : item.elements.front().span.begin;
@@ -239,8 +253,11 @@ class Writer {
     };
     for (std::size_t i = 0; i < item.elements.size(); ++i) {
       const ItemElement& element = item.elements[i];
-      if (HasComment(next, element.span.end)) end_line();
-      next = WriteComments(next, element.span.end, 2);
+      const bool begins_paragraph =
+          last_end_ > 0 && IsBlankBetween(last_end_, element.span.begin);
+      if (begins_paragraph || HasComment(next, element.span.end)) end_line();
+      next = WriteInner(next, element.span.begin, element.span.end);
+      WriteParagraph(element.span.begin);
       const std::size_t width =
           text_.size() - line_begin + 1 + element.text.size();
       if (is_line_begun && width > kLineWidth) end_line();
@@ -248,6 +265,7 @@ class Writer {
       text_ += is_line_begun ? " " : "  ";
       text_ += element.text;
       is_line_begun = true;
+      last_end_ = element.span.end;
       const bool is_last = i + 1 == item.elements.size();
       const std::size_t before = next;
       next = WriteTrailing(next, element.span.end,
@@ -257,9 +275,18 @@ class Writer {
       if (!may_go_on) end_line();
     }
     end_line();
-    next = WriteComments(next, close, 2);
+    next = WriteInner(next, close, close);
+    last_end_ = 0;
     text_ += '}';
     return next;
+  }
+
+  bool HasParagraphs(const ItemText& item) const {
+    for (std::size_t i = 1; i < item.elements.size(); ++i)
+      if (IsBlankBetween(item.elements[i - 1].span.end,
+                         item.elements[i].span.begin))
+        return true;
+    return false;
   }
 
   // `rule X -> { X Y }`, if that fits.
@@ -301,6 +328,8 @@ class Writer {
   const std::span<const AlphabetPtr> alphabets_;  // of the genotypes
   const bool is_compact_;
   std::string text_;
+  // Between braces: where what was written last ends; 0 at the first.
+  std::uint32_t last_end_ = 0;
   std::size_t tail_comment_ = 0;
   std::uint32_t tail_begin_ = 0;
 };

@@ -5,6 +5,8 @@
 // A comment belongs to the item that it stands before, or behind on the same
 // line; inside braces, likewise to the symbol. What stands in the middle of a
 // line's worth of text (between `iterations` and its number) moves before it.
+// Empty lines between items of a kind, and between what stands in braces, stay,
+// one of several.
 
 #include <span>
 #include <string>

@@ -34,10 +34,6 @@ inline constexpr std::size_t kMaxSharedText = std::size_t{16} << 20U;
 /// 2^53: whole numbers up to here are doubles exactly.
 inline constexpr double kMaxWholeNumber = 9007199254740992.0;
 
-/// A stage stops adding diagnostics here: nobody reads more, and a hostile file
-/// could hold millions.
-inline constexpr std::size_t kMaxReported = 1000;
-
 /// Name of a genotype whose file does not name it.
 inline constexpr const char* kUnnamed = "unnamed";
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cassert>
 #include <string>
 #include <utility>
 
@@ -48,24 +49,27 @@ class Resolver {
   }
 
  private:
-  void Report(const char* code, Span span, std::string message,
-              std::string label = "") {
-    if (result_.diagnostics.size() >= kMaxReported) return;
+  bool is_full() const { return result_.diagnostics.size() >= kMaxReported; }
+
+  // Only while there is room: what is reported is described in full, and what
+  // is not costs no search for similar names.
+  Diagnostic& Report(const char* code, Span span, std::string message,
+                     std::string label = "") {
+    assert(!is_full());
     Diagnostic diagnostic;
     diagnostic.code = code;
     diagnostic.span = span;
     diagnostic.message = std::move(message);
     diagnostic.label = std::move(label);
-    result_.diagnostics.push_back(std::move(diagnostic));
+    return result_.diagnostics.emplace_back(std::move(diagnostic));
   }
 
-  void SuggestAmong(const std::vector<std::string_view>& known, Span span) {
-    if (result_.diagnostics.size() >= kMaxReported) return;
-    const auto near = Suggest(file_.Text(span), known);
+  void SuggestAmong(const std::vector<std::string_view>& known,
+                    Diagnostic* diagnostic) {
+    const auto near = Suggest(file_.Text(diagnostic->span), known);
     if (!near) return;
-    Diagnostic& diagnostic = result_.diagnostics.back();
-    diagnostic.label = fmt::format("did you mean '{}'?", *near);
-    diagnostic.fixes.push_back({span, *near});
+    diagnostic->label = fmt::format("did you mean '{}'?", *near);
+    diagnostic->fixes.push_back({diagnostic->span, *near});
   }
 
   void ResolveRule(std::size_t index) {
@@ -79,12 +83,13 @@ class Resolver {
       resolved->comparison = static_cast<Comparison>(term.comparison);
       if (!IsOrdered(resolved->state) && term.comparison != kEqual &&
           term.comparison != kNotEqual) {
+        resolved.reset();
+        if (is_full()) continue;
         Report("P2006", term.comparison_span,
                fmt::format("'{}' cannot be compared with '{}'",
                            file_.Text(term.state),
                            file_.Text(term.comparison_span)),
                "only '=' and '!=' here");
-        resolved.reset();
       }
     }
     ResolveSymbols(rule.symbols);
@@ -117,10 +122,12 @@ class Resolver {
       if (FaceName(face) == file_.Text(name)) return face;
       names.push_back(FaceName(face));
     }
-    Report("P2021", name,
-           fmt::format("a module has no face '{}'", file_.Text(name)),
-           fmt::format("faces are {}", fmt::join(names, ", ")));
-    SuggestAmong(names, name);
+    if (is_full()) return std::nullopt;
+    SuggestAmong(
+        names,
+        &Report("P2021", name,
+                fmt::format("a module has no face '{}'", file_.Text(name)),
+                fmt::format("faces are {}", fmt::join(names, ", "))));
     return std::nullopt;
   }
 
@@ -139,9 +146,11 @@ class Resolver {
     if (alphabet == nullptr) return std::nullopt;
     const std::string_view text = file_.Text(name);
     if (const auto id = alphabet->Find(text)) return id;
-    Report("P2001", name,
-           fmt::format("unknown symbol '{}' in alphabet '{}'", text,
-                       alphabet->name()));
+    if (is_full()) return std::nullopt;
+    Diagnostic& diagnostic =
+        Report("P2001", name,
+               fmt::format("unknown symbol '{}' in alphabet '{}'", text,
+                           alphabet->name()));
     const std::string_view foreign = alphabet->is_built_in()
                                          ? PlasticodingNameFor(text)
                                          : std::string_view();
@@ -150,11 +159,11 @@ class Resolver {
                            [](const SymbolInfo& symbol) {
                              return std::string_view(symbol.name);
                            }),
-                   name);
-    } else if (result_.diagnostics.size() < kMaxReported) {
-      Diagnostic& diagnostic = result_.diagnostics.back();
+                   &diagnostic);
+    } else {
       diagnostic.label = fmt::format("write '{}'", foreign);
       diagnostic.notes.push_back(ForeignNote(text));
+      diagnostic.fixes.push_back({name, std::string(foreign)});
     }
     return std::nullopt;
   }
@@ -162,16 +171,15 @@ class Resolver {
   const Constant* ResolveConstant(const ast::Value& value) {
     const std::string_view name = file_.Text(value.span);
     if (const Constant* constant = scope_.FindConstant(name)) return constant;
+    if (is_full()) return nullptr;
     if (IsNotFiniteWord(name)) {
-      if (result_.diagnostics.size() < kMaxReported)
-        result_.diagnostics.push_back(NotANumber(name, value.span));
+      result_.diagnostics.push_back(NotANumber(name, value.span));
     } else if (!file_.is_incomplete) {
-      Report("P2009", value.span,
-             fmt::format("constant '{}' is not declared", name));
       SuggestAmong(
           NamesOf(scope_.constants,
                   [](const Constant& constant) { return constant.name; }),
-          value.span);
+          &Report("P2009", value.span,
+                  fmt::format("constant '{}' is not declared", name)));
     }
     return nullptr;
   }
@@ -195,7 +203,7 @@ class Resolver {
     }
     Term term;
     term.state = *id;
-    const auto number = ResolveValue(StateOf(*id), value);
+    const auto number = ResolveValue(*id, value);
     if (!number) return std::nullopt;
     term.value = *number;
     return term;
@@ -203,28 +211,28 @@ class Resolver {
 
   void ReportUnknownState(Span state) {
     // The item that declares it may be the one that did not parse.
-    if (file_.is_incomplete) return;
-    Report("P2005", state,
-           fmt::format("state '{}' is not declared", file_.Text(state)));
+    if (file_.is_incomplete || is_full()) return;
+    Diagnostic& diagnostic =
+        Report("P2005", state,
+               fmt::format("state '{}' is not declared", file_.Text(state)));
     const std::vector<State>& states = scope_.header.states;
     SuggestAmong(
         NamesOf(states,
                 [](const State& s) { return std::string_view(s.name); }),
-        state);
-    if (result_.diagnostics.size() >= kMaxReported) return;
-    Diagnostic& diagnostic = result_.diagnostics.back();
-    if (diagnostic.fixes.empty())
+        &diagnostic);
+    if (diagnostic.fixes.empty()) {
       diagnostic.help =
           fmt::format("declare it, as in 'sense {}: bool'", file_.Text(state));
-    if (diagnostic.fixes.empty()) return;
+      return;
+    }
     const auto known = scope_.FindState(diagnostic.fixes[0].replacement);
     diagnostic.others.push_back(
         {scope_.state_spans[static_cast<std::size_t>(*known)],
          "declared here"});
   }
 
-  std::optional<double> ResolveValue(const State& state,
-                                     const ast::Value& value) {
+  std::optional<double> ResolveValue(StateId id, const ast::Value& value) {
+    const State& state = StateOf(id);
     using Kind = ast::Value::Kind;
     switch (state.type) {
       case StateType::kBool:
@@ -240,28 +248,30 @@ class Resolver {
         }
         break;
       case StateType::kEnum:
-        if (value.kind == Kind::kName) return EnumIndex(state, value);
+        if (value.kind == Kind::kName) return EnumIndex(id, value);
         break;
     }
     ReportMismatch(state, value);
     return std::nullopt;
   }
 
-  std::optional<double> EnumIndex(const State& state, const ast::Value& value) {
+  std::optional<double> EnumIndex(StateId id, const ast::Value& value) {
+    const State& state = StateOf(id);
     const std::string_view text = file_.Text(value.span);
-    for (std::size_t i = 0; i < state.values.size(); ++i)
-      if (state.values[i] == text) return static_cast<double>(i);
-    Report("P2006", value.span,
-           fmt::format("state '{}' has no value '{}'", state.name, text),
-           fmt::format("it is one of {}", fmt::join(state.values, ", ")));
+    if (const auto index = scope_.FindValue(id, text))
+      return static_cast<double>(*index);
+    if (is_full()) return std::nullopt;
     SuggestAmong(
         NamesOf(state.values,
                 [](const std::string& v) { return std::string_view(v); }),
-        value.span);
+        &Report("P2006", value.span,
+                fmt::format("state '{}' has no value '{}'", state.name, text),
+                fmt::format("it is one of {}", fmt::join(state.values, ", "))));
     return std::nullopt;
   }
 
   void ReportMismatch(const State& state, const ast::Value& value) {
+    if (is_full()) return;
     const std::string_view text = file_.Text(value.span);
     std::string message;
     std::string label;
@@ -280,11 +290,10 @@ class Resolver {
       message = fmt::format("'{}' cannot be {}", state.name, text);
       label = fmt::format("it is one of {}", fmt::join(state.values, ", "));
     }
-    Report("P2006", value.span, std::move(message), std::move(label));
-    if (result_.diagnostics.size() >= kMaxReported) return;
     const auto id = scope_.FindState(state.name);
-    result_.diagnostics.back().others.push_back(
-        {scope_.state_spans[static_cast<std::size_t>(*id)], "declared here"});
+    Report("P2006", value.span, std::move(message), std::move(label))
+        .others.push_back({scope_.state_spans[static_cast<std::size_t>(*id)],
+                           "declared here"});
   }
 
   const ast::File& file_;

@@ -148,6 +148,7 @@ class Declarer {
   void DeclareSense(const ast::Sense& declared) {
     if (!IsNewState(declared.name)) return;
     State state;
+    Ids ids;
     state.name = file_.Text(declared.name);
     switch (declared.type) {
       case ast::SenseType::kBool:
@@ -165,14 +166,19 @@ class Declarer {
         break;
       case ast::SenseType::kEnum:
         state.type = StateType::kEnum;
-        state.values = EnumValues(declared);
+        state.values = EnumValues(declared, &ids);
         break;
     }
+    scope_.state_ids.emplace(file_.Text(declared.name),
+                             static_cast<StateId>(scope_.header.states.size()));
     scope_.header.states.push_back(std::move(state));
     scope_.state_spans.push_back(declared.name);
+    scope_.value_ids.push_back(std::move(ids));
   }
 
-  std::vector<std::string> EnumValues(const ast::Sense& declared) {
+  using Ids = std::unordered_map<std::string_view, std::size_t>;
+
+  std::vector<std::string> EnumValues(const ast::Sense& declared, Ids* ids) {
     std::vector<std::string> values;
     const auto spans = ast::Slice(file_.names, declared.values);
     if (spans.size() > kMaxSymbols) {
@@ -182,7 +188,7 @@ class Declarer {
     }
     for (const Span span : spans) {
       const std::string_view value = file_.Text(span);
-      if (std::find(values.begin(), values.end(), value) != values.end())
+      if (!ids->emplace(value, values.size()).second)
         Report("P2016", span, fmt::format("value '{}' is listed twice", value));
       else
         values.emplace_back(value);
@@ -208,6 +214,7 @@ class Declarer {
              fmt::format("a file has at most {} constants", kMaxSymbols));
       return;
     }
+    scope_.constant_ids.emplace(name, scope_.constants.size());
     scope_.constants.push_back({name, declared.name, declared.value.number,
                                 declared.value.is_integer});
   }
@@ -313,15 +320,22 @@ class Declarer {
 }  // namespace
 
 std::optional<StateId> Scope::FindState(std::string_view name) const {
-  for (std::size_t i = 0; i < header.states.size(); ++i)
-    if (header.states[i].name == name) return static_cast<StateId>(i);
-  return std::nullopt;
+  const auto found = state_ids.find(name);
+  if (found == state_ids.end()) return std::nullopt;
+  return found->second;
 }
 
 const Constant* Scope::FindConstant(std::string_view name) const {
-  for (const Constant& constant : constants)
-    if (constant.name == name) return &constant;
-  return nullptr;
+  const auto found = constant_ids.find(name);
+  return found == constant_ids.end() ? nullptr : &constants[found->second];
+}
+
+std::optional<std::size_t> Scope::FindValue(StateId state,
+                                            std::string_view name) const {
+  const auto& ids = value_ids[static_cast<std::size_t>(state)];
+  const auto found = ids.find(name);
+  if (found == ids.end()) return std::nullopt;
+  return found->second;
 }
 
 Scope Declare(const ast::File& file) {

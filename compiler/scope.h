@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <vector>
 
 #include "compiler/genotype.h"
@@ -28,12 +29,21 @@ struct Scope {
   Genotype header;
   std::vector<Span> state_spans;  ///< where each of header.states is declared
   std::vector<Constant> constants;
+  /// By name, for files that mention thousands of them a million times. Names
+  /// are texts of the file.
+  std::unordered_map<std::string_view, StateId> state_ids;
+  std::unordered_map<std::string_view, std::size_t> constant_ids;
+  /// Of each state the places of its values, none but of an enum.
+  std::vector<std::unordered_map<std::string_view, std::size_t>> value_ids;
   Span max_terms_span;
   Span max_rules_span;
   std::vector<Diagnostic> diagnostics;
 
   std::optional<StateId> FindState(std::string_view name) const;
   const Constant* FindConstant(std::string_view name) const;
+  /// Index into State::values.
+  std::optional<std::size_t> FindValue(StateId state,
+                                       std::string_view name) const;
 };
 
 Scope Declare(const ast::File& file);

@@ -114,12 +114,12 @@ void VerifyStates(const std::vector<State>& states, Findings* found) {
   found->Expect(states.size() <= kMaxStates, [&] {
     return fmt::format("there are {} states", states.size());
   });
-  for (std::size_t i = 0; i < states.size(); ++i) {
-    VerifyState(states[i], found);
-    for (std::size_t k = 0; k < i; ++k)
-      found->Expect(states[k].name != states[i].name, [&] {
-        return fmt::format("state '{}' is declared twice", states[i].name);
-      });
+  std::set<std::string_view> names;
+  for (const State& state : states) {
+    VerifyState(state, found);
+    found->Expect(names.insert(state.name).second, [&] {
+      return fmt::format("state '{}' is declared twice", state.name);
+    });
   }
 }
 

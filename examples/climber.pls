@@ -16,23 +16,67 @@ iterations 1
 # everywhere: hind legs, spine, shoulder, front legs
 rule C -> {
   C
-  add_left A2(0.4, 1.0, 2.0, 1.0) move_left add_front B move_back
-  add_right A2(0.4, 1.0, 2.0, 1.5) move_right add_front B move_back
-  add_front A1(0.7, 2.0, 2.0, 1.75) move_front add_front B move_front
-  add_left A2(0.4, 1.0, 2.0, 1.5) move_left add_front B move_back
-  add_right A2(0.4, 1.0, 2.0, 1.0) move_right add_front B move_back
+
+  add_left
+  A2(0.4, 1.0, 2.0, 1.0)
+  move_left
+  add_front
+  B
+  move_back
+
+  add_right
+  A2(0.4, 1.0, 2.0, 1.5)
+  move_right
+  add_front
+  B
+  move_back
+
+  add_front
+  A1(0.7, 2.0, 2.0, 1.75)
+  move_front
+  add_front
+  B
+  move_front
+
+  add_left
+  A2(0.4, 1.0, 2.0, 1.5)
+  move_left
+  add_front
+  B
+  move_back
+
+  add_right
+  A2(0.4, 1.0, 2.0, 1.0)
+  move_right
+  add_front
+  B
+  move_back
 }
+
 # flat: feel what is ahead
 rule C -> if inclined = False then {
   C
-  add_front T(0.5)
+
+  add_front
+  T(0.5)
 }
+
 # tilted: six legs hold better than four
 rule C -> if inclined = True then {
   C
-  add_front A1(0.7, 2.0, 2.0, 1.25) move_front add_front B move_front
-  add_left A2(0.4, 1.0, 2.0, 1.0)
-  add_right A2(0.4, 1.0, 2.0, 1.5)
+
+  add_front
+  A1(0.7, 2.0, 2.0, 1.25)
+  move_front
+  add_front
+  B
+  move_front
+
+  add_left
+  A2(0.4, 1.0, 2.0, 1.0)
+
+  add_right
+  A2(0.4, 1.0, 2.0, 1.5)
 }
 
 environment flat { inclined = False }

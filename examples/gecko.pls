@@ -11,14 +11,15 @@ plsc 1
 
 genotype gecko
 alphabet plasticoding 1
-iterations 1
 
-let beat = 2.0 # period of the gait, s
-let lift = 1.0 # amplitude of the legs
-let bend = 2.0 # amplitude of the spine
+let beat = 2.0  # period of the gait, s
+let lift = 1.0  # amplitude of the legs
+let bend = 2.0  # amplitude of the spine
+iterations 1
 
 rule C -> {
   C
+
   # hind legs
   add_left
   A2(0.4, lift, beat, 1.0)
@@ -32,6 +33,7 @@ rule C -> {
   add_front
   B
   move_back
+
   # spine and shoulder
   add_front
   A1(0.7, bend, beat, 1.75)
@@ -39,6 +41,7 @@ rule C -> {
   add_front
   B
   move_front
+
   # front legs, opposite to the hind leg of their side
   add_left
   A2(0.4, lift, beat, 1.5)

@@ -25,6 +25,7 @@ rule C -> {
   B
   move_front
 }
+
 rule A1 -> {
   A1(0.5, 1.5, 3.0, 2.0)
   mutate_off(-0.1)

@@ -13,40 +13,73 @@ plsc 1
 
 genotype spider
 alphabet plasticoding 1
-iterations 1
-move_to_new True
 
-let sweep = 2.0 # amplitude; beyond 1 the swing is wide and nearly square
+let sweep = 2.0  # amplitude; beyond 1 the swing is wide and nearly square
 let lift = 1.0
 let beat = 3.0  # period, s
+iterations 1
+move_to_new True
 
 # left
 rule C -> {
   C
-  add_left A1(0.5, sweep, beat, 1.0)
-  add_front A2(0.5, lift, beat, 1.75)
-  add_front B
-  move_back move_back move_back
+
+  add_left
+  A1(0.5, sweep, beat, 1.0)
+
+  add_front
+  A2(0.5, lift, beat, 1.75)
+
+  add_front
+  B
+
+  move_back
+  move_back
+  move_back
 }
+
 # right
 rule C -> {
   C
-  add_right A1(0.5, sweep, beat, 1.0)
-  add_front A2(0.5, lift, beat, 1.25)
-  add_front B
-  move_back move_back move_back
+
+  add_right
+  A1(0.5, sweep, beat, 1.0)
+
+  add_front
+  A2(0.5, lift, beat, 1.25)
+
+  add_front
+  B
+
+  move_back
+  move_back
+  move_back
 }
+
 # front: only lifts, to keep the front light
 rule C -> {
   C
-  add_front A2(0.5, lift, beat, 1.0)
-  add_front B
-  move_back move_back
+
+  add_front
+  A2(0.5, lift, beat, 1.0)
+
+  add_front
+  B
+
+  move_back
+  move_back
 }
+
 # back: goes there whatever the command, because all other sides are taken
 rule C -> {
   C
-  add_front A2(0.5, lift, beat, 1.5)
-  add_front B
-  move_back move_back
+
+  add_front
+  A2(0.5, lift, beat, 1.5)
+
+  add_front
+  B
+
+  move_back
+  move_back
 }

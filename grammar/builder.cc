@@ -25,7 +25,7 @@ bool IsWrittenZero(std::string_view number) {
 }  // namespace
 
 void Builder::Report(Diagnostic diagnostic) {
-  if (diagnostics.size() < kMaxSyntaxErrors)
+  if (diagnostics.size() < kMaxReported)
     diagnostics.push_back(std::move(diagnostic));
 }
 
@@ -102,7 +102,7 @@ void Builder::CheckTermValue() {
 
 void Builder::Fail(SyntaxError error, std::uint32_t offset) {
   file.is_incomplete = true;
-  if (diagnostics.size() < kMaxSyntaxErrors)
+  if (diagnostics.size() < kMaxReported)
     Report(DescribeSyntaxError(
         error, {file.text, offset, previous_end, keyword, open}));
   throw SyntaxFailure{};

@@ -17,10 +17,6 @@ namespace plsc::grammar {
 /// Thrown to leave an item; what is wrong is in Builder::diagnostics.
 struct SyntaxFailure {};
 
-/// Errors beyond these are not kept: nobody reads more, and a hostile file
-/// could hold millions.
-inline constexpr std::size_t kMaxSyntaxErrors = 1000;
-
 /// Deepest nesting of an expected body. The parser calls itself once a level,
 /// so some limit keeps it from the end of the stack; robots of 15 modules
 /// cannot reach 15.

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 #include <utility>
 
 #include "grammar/shown_line.h"
@@ -46,17 +47,44 @@ struct Place {
   std::string_view ink;
 };
 
+// Of a longer line only so many bytes around a place are looked at: several
+// times what is shown, whatever the characters.
+constexpr std::size_t kMaxLooked = 16 * kMaxShown;
+
+// The part of a line around `at`, cut between characters.
+struct LinePart {
+  std::string_view text;
+  std::uint32_t begin = 0;  ///< of the part in the source
+};
+
+LinePart PartOf(std::string_view line, std::uint32_t line_begin,
+                std::uint32_t at) {
+  if (line.size() <= 2 * kMaxLooked) return {line, line_begin};
+  const auto is_inside = [&](std::size_t i) {
+    return i < line.size() &&
+           (static_cast<unsigned char>(line[i]) & 0xC0U) == 0x80U;
+  };
+  const std::size_t middle =
+      std::min<std::size_t>(at - line_begin, line.size());
+  std::size_t begin = middle > kMaxLooked ? middle - kMaxLooked : 0;
+  std::size_t end = std::min(middle + kMaxLooked, line.size());
+  while (is_inside(begin)) ++begin;
+  while (is_inside(end)) ++end;
+  return {line.substr(begin, end - begin),
+          line_begin + static_cast<std::uint32_t>(begin)};
+}
+
 // One source line with the mark repeated under the bytes of the place.
 std::string ShowPlace(const Source& source, const Place& place,
                       std::size_t gutter, const Painter& paint) {
   const Span span = place.span;
   const int line_number = source.PositionOf(span.begin).line;
-  const std::string_view line = source.Line(line_number);
-  const std::uint32_t line_begin = source.LineBegin(line_number);
-  const ShownLine shown = Show(line);
+  const LinePart part = PartOf(source.Line(line_number),
+                               source.LineBegin(line_number), span.begin);
+  const ShownLine shown = Show(part.text);
   const auto column_at = [&](std::uint32_t offset) {
-    return shown.column_of_byte[std::min<std::size_t>(offset - line_begin,
-                                                      line.size())];
+    return shown.column_of_byte[std::min<std::size_t>(offset - part.begin,
+                                                      part.text.size())];
   };
   std::size_t first = column_at(span.begin);
   const std::size_t last = column_at(std::max(span.end, span.begin));
@@ -77,6 +105,25 @@ std::string ShowPlace(const Source& source, const Place& place,
   std::string marks(width, place.mark);
   if (!place.label.empty()) marks += " " + Clip(place.label);
   return text + paint(place.ink, marks) + "\n";
+}
+
+std::string ShowPlaceAndName(const Source& source, const Place& place,
+                             std::size_t gutter, const Painter& paint) {
+  const Position at = source.PositionOf(place.span.begin);
+  return paint(kBlue, fmt::format("{:>{}}--> ", "", gutter)) +
+         fmt::format("{}:{}:{}\n", Escaped(source.name()), at.line, at.column) +
+         ShowPlace(source, place, gutter, paint);
+}
+
+// What is not shown, of `total` that were found and `shown` that are.
+std::string Rest(std::size_t total, std::size_t shown) {
+  const bool is_all = total < kMaxReported;
+  if (shown < total)
+    return fmt::format("... and {}{} more (--max-errors 0 shows {})\n",
+                       is_all ? "" : "at least ", total - shown,
+                       is_all ? "all" : fmt::format("{}", total));
+  if (is_all) return "";
+  return "... and perhaps more: the search ends here\n";
 }
 
 }  // namespace
@@ -104,23 +151,21 @@ void SortAndDropRepeated(std::vector<Diagnostic>* diagnostics) {
 
 std::string Render(const Diagnostic& diagnostic, const Source& source,
                    bool in_color) {
+  assert(!diagnostic.code.empty());
   const Painter paint{in_color};
-  const Position at = source.PositionOf(diagnostic.span.begin);
-  int last_line = at.line;
+  int last_line = source.PositionOf(diagnostic.span.begin).line;
   for (const Label& other : diagnostic.others)
     last_line = std::max(last_line, source.PositionOf(other.span.begin).line);
   const std::size_t gutter = std::to_string(last_line).size();
   const bool is_error = diagnostic.severity == Severity::kError;
   const std::string_view ink = is_error ? kRed : kYellow;
 
-  std::string kind = is_error ? "error" : "warning";
-  if (!diagnostic.code.empty()) kind += fmt::format("[{}]", diagnostic.code);
+  const std::string kind =
+      fmt::format("{}[{}]", is_error ? "error" : "warning", diagnostic.code);
   std::string text =
       paint(ink, kind) + paint(kBold, ": " + Clip(diagnostic.message)) + "\n";
-  text += paint(kBlue, fmt::format("{:>{}}--> ", "", gutter));
-  text += fmt::format("{}:{}:{}\n", source.name(), at.line, at.column);
-  text += ShowPlace(source, {diagnostic.span, '^', diagnostic.label, ink},
-                    gutter, paint);
+  text += ShowPlaceAndName(
+      source, {diagnostic.span, '^', diagnostic.label, ink}, gutter, paint);
   for (const Label& other : diagnostic.others)
     text +=
         ShowPlace(source, {other.span, '-', other.text, kBlue}, gutter, paint);
@@ -132,6 +177,13 @@ std::string Render(const Diagnostic& diagnostic, const Source& source,
   return text;
 }
 
+std::string RenderPlace(Span span, const std::string& label,
+                        const Source& source) {
+  const std::size_t gutter =
+      std::to_string(source.PositionOf(span.begin).line).size();
+  return ShowPlaceAndName(source, {span, '^', label, kRed}, gutter, {});
+}
+
 std::string Render(std::vector<Diagnostic> diagnostics, const Source& source,
                    const RenderOptions& options) {
   std::stable_sort(diagnostics.begin(), diagnostics.end(),
@@ -139,17 +191,12 @@ std::string Render(std::vector<Diagnostic> diagnostics, const Source& source,
                      return a.span.begin < b.span.begin;
                    });
   std::string text;
-  int shown = 0;
-  for (const Diagnostic& diagnostic : diagnostics) {
-    if (options.limit > 0 && shown == options.limit) {
-      text += fmt::format("... and {} more (--max-errors 0 shows all)\n",
-                          diagnostics.size() - static_cast<std::size_t>(shown));
-      break;
-    }
-    text += Render(diagnostic, source, options.in_color);
-    ++shown;
-  }
-  return text;
+  std::size_t shown = diagnostics.size();
+  if (options.limit > 0)
+    shown = std::min(shown, static_cast<std::size_t>(options.limit));
+  for (std::size_t i = 0; i < shown; ++i)
+    text += Render(diagnostics[i], source, options.in_color);
+  return text + Rest(diagnostics.size(), shown);
 }
 
 std::string Render(std::vector<Diagnostic> diagnostics, const Source& source,

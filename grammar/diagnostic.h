@@ -27,7 +27,7 @@ struct Fix {
 /// Text is lower case, names what was expected before what was found.
 struct Diagnostic {
   Severity severity = Severity::kError;
-  std::string code;     ///< "P2001"; empty where none is assigned
+  std::string code;     ///< "P2001", one of grammar/codes
   Span span;            ///< the primary place, under the caret
   std::string message;  ///< the headline
   std::string label;    ///< beside the caret; may be empty
@@ -36,6 +36,10 @@ struct Diagnostic {
   std::string help;                ///< "= help: ..."; may be empty
   std::vector<Fix> fixes;
 };
+
+/// A stage stops adding diagnostics here: nobody reads more, and a hostile file
+/// could hold millions. So that many or more may not be all.
+inline constexpr std::size_t kMaxReported = 1000;
 
 /// By position, in the order of reporting where that is the same, and without
 /// those that say the same of the same place again.
@@ -52,8 +56,12 @@ struct RenderOptions {
 std::string Render(const Diagnostic& diagnostic, const Source& source,
                    bool in_color = false);
 
-/// All of them by position, at most `options.limit` (then a line that counts
-/// the rest).
+/// A place alone, with its label: file:line:column, the line, a caret.
+std::string RenderPlace(Span span, const std::string& label,
+                        const Source& source);
+
+/// All of them by position, at most `options.limit`, then a line that counts
+/// the rest: what is known of it where a stage has stopped adding.
 std::string Render(std::vector<Diagnostic> diagnostics, const Source& source,
                    const RenderOptions& options);
 

@@ -63,12 +63,13 @@ bool IsPythonText(std::string_view text) {
 }  // namespace
 
 std::optional<Diagnostic> DescribeForeignFile(std::string_view text) {
-  const std::string_view start = text.substr(0, kLookedAt);
+  const std::size_t mark = TextBegin(text);
+  const std::string_view start = text.substr(mark, kLookedAt);
   if (!IsPythonText(start) && !IsTokenText(start)) return std::nullopt;
   Diagnostic diagnostic;
   diagnostic.code = "P5012";
   const auto begin =
-      static_cast<std::uint32_t>(start.find_first_not_of(" \t\r\n"));
+      static_cast<std::uint32_t>(mark + start.find_first_not_of(" \t\r\n"));
   diagnostic.span = {begin, begin + 1};
   diagnostic.message =
       "this looks like a genotype of Revolve, the authors' program";

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "grammar/keywords.h"
+#include "grammar/lookalike.h"
 
 namespace plsc {
 
@@ -51,6 +52,9 @@ Found Make(std::string_view text, std::size_t begin, std::size_t end) {
     found.quoted = fmt::format("character 0x{:02X}", first);
   else if (found.text.size() > kMaxQuoted)
     found.quoted = fmt::format("'{}...'", found.text.substr(0, kMaxQuoted));
+  else if (first >= 0x80)
+    found.quoted =
+        fmt::format("'{}' ({})", found.text, CodePointText(found.text));
   else
     found.quoted = fmt::format("'{}'", found.text);
   return found;

@@ -11,8 +11,6 @@ namespace plsc {
 
 namespace {
 
-constexpr std::string_view kUtf8Bom = "\xEF\xBB\xBF";
-
 Diagnostic At(const char* code, std::size_t offset, std::string message) {
   Diagnostic diagnostic;
   diagnostic.code = code;
@@ -113,7 +111,7 @@ std::optional<Diagnostic> Screen(const Source& source) {
               fmt::format("file is {} MiB; the limit is {} MiB",
                           (text.size() + (1U << 20) - 1) >> 20,
                           kMaxSourceBytes >> 20));
-  if (text.starts_with(kUtf8Bom)) text.remove_prefix(kUtf8Bom.size());
+  text.remove_prefix(TextBegin(text));
   if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) {
     Diagnostic diagnostic = At("P5013", 0, "file is empty");
     diagnostic.help = "a genotype file starts with 'plsc 1'";

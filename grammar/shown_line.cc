@@ -1,5 +1,7 @@
 #include "grammar/shown_line.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstdint>
 
@@ -41,7 +43,11 @@ bool IsPrintable(const Character& character) {
   const bool turns_direction =
       code == 0x200E || code == 0x200F || code == 0x061C ||
       (code >= 0x2028 && code <= 0x202E) || (code >= 0x2066 && code <= 0x2069);
-  return character.is_valid && !is_control && !turns_direction;
+  // Carets would stand beside what they mean.
+  const bool is_invisible = code == 0x00AD ||
+                            (code >= 0x200B && code <= 0x200D) ||
+                            code == 0x2060 || code == 0xFEFF || code == 0x180E;
+  return character.is_valid && !is_control && !turns_direction && !is_invisible;
 }
 
 }  // namespace
@@ -70,6 +76,28 @@ ShownLine Show(std::string_view line) {
   }
   shown.column_of_byte.push_back(shown.columns.size());
   return shown;
+}
+
+std::string Escaped(std::string_view text) {
+  std::string escaped;
+  for (std::size_t i = 0; i < text.size();) {
+    const Character character = Decode(text, i);
+    const auto byte = static_cast<unsigned char>(text[i]);
+    if (IsPrintable(character))
+      escaped += text.substr(i, character.bytes);
+    else if (byte == '\n')
+      escaped += "\\n";
+    else if (byte == '\r')
+      escaped += "\\r";
+    else if (byte == '\t')
+      escaped += "\\t";
+    else if (!character.is_valid || byte < 0x80)
+      escaped += fmt::format("\\x{:02x}", byte);
+    else
+      escaped += fmt::format("\\u{:04x}", std::uint32_t{character.code});
+    i += character.bytes;
+  }
+  return escaped;
 }
 
 std::string Printable(std::string_view text, std::size_t limit) {

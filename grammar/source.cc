@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <string>
 #include <utility>
 
 namespace plsc {
@@ -13,13 +14,47 @@ bool StartsCharacter(char c) {
   return (static_cast<unsigned char>(c) & 0xC0) != 0x80;
 }
 
+// Most texts are shorter, and so cost no pass.
+constexpr std::size_t kBlock = 1U << 16U;
+
+std::size_t CountCharacters(std::string_view text) {
+  return static_cast<std::size_t>(
+      std::count_if(text.begin(), text.end(), StartsCharacter));
+}
+
 }  // namespace
+
+std::string WithLineEndsOf(std::string_view model, std::string text) {
+  const std::size_t end = model.find('\n');
+  if (end == std::string_view::npos || end == 0 || model[end - 1] != '\r')
+    return text;
+  std::string with;
+  with.reserve(text.size() + text.size() / 16);
+  for (const char c : text) {
+    if (c == '\n') with += '\r';
+    with += c;
+  }
+  return with;
+}
 
 Source::Source(std::string name, std::string text)
     : name_(std::move(name)), text_(std::move(text)), line_begins_{0} {
   for (std::size_t i = text_.find('\n'); i != std::string::npos;
        i = text_.find('\n', i + 1))
     line_begins_.push_back(static_cast<std::uint32_t>(i + 1));
+  block_characters_.push_back(0);
+  for (std::size_t end = kBlock; end <= text_.size(); end += kBlock)
+    block_characters_.push_back(
+        block_characters_.back() +
+        static_cast<std::uint32_t>(CountCharacters(
+            std::string_view(text_).substr(end - kBlock, kBlock))));
+}
+
+std::size_t Source::CharactersBefore(std::uint32_t offset) const {
+  const std::size_t block = offset / kBlock;
+  return block_characters_[block] +
+         CountCharacters(
+             text().substr(block * kBlock, offset - block * kBlock));
 }
 
 Position Source::PositionOf(std::uint32_t offset) const {
@@ -27,9 +62,11 @@ Position Source::PositionOf(std::uint32_t offset) const {
   const auto after =
       std::upper_bound(line_begins_.begin(), line_begins_.end(), offset);
   const auto line = static_cast<int>(after - line_begins_.begin());
-  const auto begin = text_.begin() + LineBegin(line);
-  const auto end = text_.begin() + offset;
-  const auto characters = std::count_if(begin, end, StartsCharacter);
+  const std::uint32_t begin = LineBegin(line);
+  const std::size_t characters =
+      offset - begin < kBlock
+          ? CountCharacters(text().substr(begin, offset - begin))
+          : CharactersBefore(offset) - CharactersBefore(begin);
   return {line, static_cast<int>(characters) + 1};
 }
 

@@ -12,6 +12,20 @@
 
 namespace plsc {
 
+/// U+FEFF in UTF-8, which editors of some systems put before a text; it means
+/// nothing.
+inline constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+/// Where the text begins that it may stand before.
+constexpr std::uint32_t TextBegin(std::string_view text) {
+  return text.starts_with(kByteOrderMark)
+             ? static_cast<std::uint32_t>(kByteOrderMark.size())
+             : 0;
+}
+
+/// `text`, whose lines end in '\n', with the line ends of the first line of
+/// `model`: '\n' or "\r\n".
+std::string WithLineEndsOf(std::string_view model, std::string text);
+
 /// Bytes [begin, end) of one source.
 struct Span {
   std::uint32_t begin = 0;
@@ -50,6 +64,11 @@ class Source {
   std::string name_;
   std::string text_;
   std::vector<std::uint32_t> line_begins_;
+  /// Characters before each whole block of bytes, so that a place on a line of
+  /// millions costs no look at all of it.
+  std::vector<std::uint32_t> block_characters_;
+
+  std::size_t CharactersBefore(std::uint32_t offset) const;
 };
 
 }  // namespace plsc

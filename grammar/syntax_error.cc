@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "grammar/clause_error.h"
+#include "grammar/foreign_syntax.h"
 #include "grammar/keywords.h"
 #include "grammar/lookaround.h"
 #include "grammar/number_error.h"
@@ -330,10 +331,7 @@ Diagnostic OfNumber(SyntaxError error, const SyntaxContext& context) {
   }
 }
 
-}  // namespace
-
-Diagnostic DescribeSyntaxError(SyntaxError error,
-                               const SyntaxContext& context) {
+Diagnostic Describe(SyntaxError error, const SyntaxContext& context) {
   using enum SyntaxError;
   switch (error) {
     case kInternal:
@@ -388,6 +386,15 @@ Diagnostic DescribeSyntaxError(SyntaxError error,
       return OfBody(error, context);
   }
   return {};
+}
+
+}  // namespace
+
+Diagnostic DescribeSyntaxError(SyntaxError error,
+                               const SyntaxContext& context) {
+  Diagnostic diagnostic = Describe(error, context);
+  ExplainForeignSyntax(error, context, &diagnostic);
+  return diagnostic;
 }
 
 }  // namespace plsc

@@ -32,8 +32,10 @@ Span Trim(const Source& source, Span span) {
   return span;
 }
 
-Diagnostic Error(Span span, std::string message, std::string help) {
+Diagnostic Error(const char* code, Span span, std::string message,
+                 std::string help) {
   Diagnostic diagnostic;
+  diagnostic.code = code;
   diagnostic.span = span;
   diagnostic.message = std::move(message);
   diagnostic.help = std::move(help);
@@ -52,7 +54,7 @@ Result<std::vector<Assignment>> Split(const Source& source) {
     const Span part = Trim(source, {begin, comma});
     const std::size_t equals = At(source, part).find('=');
     if (equals == std::string_view::npos)
-      return Error(part, "expected STATE=VALUE",
+      return Error("P1115", part, "expected STATE=VALUE",
                    "write an environment as inclined=True,hot=False");
     const auto middle = part.begin + static_cast<std::uint32_t>(equals);
     assignments.push_back({Trim(source, {part.begin, middle}),
@@ -62,14 +64,24 @@ Result<std::vector<Assignment>> Split(const Source& source) {
   return assignments;
 }
 
+std::optional<double> ParseNumber(std::string_view text) {
+  double value = 0;
+  const auto [end, error] =
+      std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size() ||
+      !std::isfinite(value))
+    return std::nullopt;
+  return value;
+}
+
+// A number is out of range; anything else is of another type.
 Diagnostic WrongValue(const Source& source, Span span, const State& state) {
-  Diagnostic diagnostic =
-      Error(span,
-            fmt::format("expected {} for state '{}', found '{}'",
-                        ExpectedValue(state), state.name, At(source, span)),
-            "");
-  diagnostic.code = "P2006";
-  return diagnostic;
+  const bool is_number = state.type == StateType::kReal &&
+                         ParseNumber(At(source, span)).has_value();
+  return Error(is_number ? "P2015" : "P2006", span,
+               fmt::format("expected {} for state '{}', found '{}'",
+                           ExpectedValue(state), state.name, At(source, span)),
+               "");
 }
 
 Diagnostic Missing(const Source& source, const State& state) {
@@ -78,13 +90,11 @@ Diagnostic Missing(const Source& source, const State& state) {
                         : state.type == StateType::kEnum
                             ? state.values.front().c_str()
                             : "0.5";
-  Diagnostic diagnostic = Error(
-      {end, end}, fmt::format("no value for state '{}'", state.name),
-      fmt::format("every state that the genotype senses needs a value: add "
-                  "{}={}",
-                  state.name, example));
-  diagnostic.code = "P2009";
-  return diagnostic;
+  return Error("P2015", {end, end},
+               fmt::format("no value for state '{}'", state.name),
+               fmt::format("every state that the genotype senses needs a "
+                           "value: add {}={}",
+                           state.name, example));
 }
 
 }  // namespace
@@ -103,11 +113,8 @@ std::optional<double> ParseStateValue(std::string_view text,
       return static_cast<double>(found - state.values.begin());
     }
     case StateType::kReal: {
-      double value = 0;
-      const auto [end, error] =
-          std::from_chars(text.data(), text.data() + text.size(), value);
-      if (error != std::errc() || end != text.data() + text.size() ||
-          !std::isfinite(value) || value < state.low || value > state.high)
+      const std::optional<double> value = ParseNumber(text);
+      if (!value || *value < state.low || *value > state.high)
         return std::nullopt;
       return value;
     }
@@ -139,8 +146,9 @@ Result<Environment> ParseEnvironment(const Source& source,
   for (const auto& [name_span, value_span] : *assignments) {
     const std::string_view name = At(source, name_span);
     if (!seen.emplace(name, name_span).second) {
-      errors.push_back(
-          Error(name_span, fmt::format("state '{}' is given twice", name), ""));
+      errors.push_back(Error("P2015", name_span,
+                             fmt::format("state '{}' is given twice", name),
+                             ""));
       continue;
     }
     const auto state =
@@ -148,7 +156,7 @@ Result<Environment> ParseEnvironment(const Source& source,
                      [&](const State& s) { return s.name == name; });
     if (state == states.end()) {
       Diagnostic warning = Error(
-          name_span,
+          "W2005", name_span,
           fmt::format("the genotype does not sense '{}'; ignored", name), "");
       warning.severity = Severity::kWarning;
       warnings.push_back(std::move(warning));

@@ -64,6 +64,33 @@ std::uint64_t DerivedLength(const Genotype& genotype,
   return length;
 }
 
+std::vector<std::uint64_t> ReadingLengths(const Genotype& genotype,
+                                          const ActiveRules& active) {
+  const std::span<const Occurrence> production =
+      active.joined[static_cast<std::size_t>(genotype.axiom)];
+  if (production.empty()) return {};
+  const auto sum = [](const std::vector<std::uint64_t>& lengths,
+                      std::span<const Occurrence> string) {
+    std::uint64_t length = 0;
+    for (const Occurrence& one : string)
+      length =
+          SaturatingAdd(length, lengths[static_cast<std::size_t>(one.symbol)]);
+    return length;
+  };
+  // Of what each symbol has become.
+  std::vector<std::uint64_t> lengths(active.joined.size(), 1);
+  std::vector<std::uint64_t> readings;
+  for (int i = 0; i < genotype.development.iterations; ++i) {
+    readings.push_back(sum(lengths, production.subspan(1)));
+    std::vector<std::uint64_t> next = lengths;
+    for (std::size_t symbol = 0; symbol < next.size(); ++symbol)
+      if (!active.joined[symbol].empty())
+        next[symbol] = sum(lengths, active.joined[symbol]);
+    lengths = std::move(next);
+  }
+  return readings;
+}
+
 std::optional<Multiplier> GreatestMultiplier(const ActiveRules& active) {
   Multiplier greatest;
   for (std::size_t head = 0; head < active.joined.size(); ++head) {

@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "runtime/regulate.h"
 
@@ -15,6 +16,13 @@ namespace plsc {
 /// when it is that or more.
 std::uint64_t DerivedLength(const Genotype& genotype,
                             const ActiveRules& active);
+
+/// With `plasticoding` the string is C and then, for each rewriting, what the
+/// rest of C's production has become: their lengths in that order, the newest,
+/// which has not been rewritten, first. Empty without an active rule of C. The
+/// string is within its limit.
+std::vector<std::uint64_t> ReadingLengths(const Genotype& genotype,
+                                          const ActiveRules& active);
 
 /// A symbol whose active rules bring it back, more of it than of any other.
 struct Multiplier {

@@ -1,6 +1,7 @@
 #include "runtime/life_plan.h"
 
 #include <cassert>
+#include <map>
 #include <numbers>
 #include <utility>
 
@@ -40,24 +41,33 @@ Key KeyOfPhenotype(const std::optional<Phenotype>& robot) {
   return KeyOfPhenotype(BodyJson(robot->body), BrainJson(*robot));
 }
 
-/// What could develop in the season for all that could be felt. The seasons
+/// What could develop in each season if this were felt wherever the IMU is
+/// asked.
+std::vector<std::string> RobotsFeeling(double inclination,
+                                       const Genotype& genotype,
+                                       const Scenario& scenario,
+                                       const Senses& inherited) {
+  std::vector<std::string> robots;
+  for (SeasonTeller teller(genotype, scenario, inherited); !teller.is_over();) {
+    const bool asks_imu = teller.AsksImu();
+    std::optional<double> felt;
+    if (asks_imu) felt = inclination;
+    robots.push_back((asks_imu ? " felt " : " told ") +
+                     Hex(KeyOfPhenotype(teller.Next(0, felt).robot)));
+  }
+  return robots;
+}
+
+/// What could develop in the seasons for all that could be felt. The seasons
 /// before matter only if the robot is already grown.
 std::string PossibleRobots(const Genotype& genotype, const Scenario& scenario,
-                           const Senses& inherited, std::size_t season) {
-  std::string robots;
+                           const Senses& inherited) {
   // Level, and upside down: on both sides of every threshold but pi.
-  for (const double inclination : {0.0, std::numbers::pi}) {
-    SeasonTeller teller(genotype, scenario, inherited);
-    std::optional<Phenotype> robot;
-    bool asks_imu = false;
-    for (std::size_t i = 0; i <= season; ++i) {
-      std::optional<double> felt;
-      asks_imu = teller.AsksImu();
-      if (asks_imu) felt = inclination;
-      robot = teller.Next(0, felt).robot;
-    }
-    robots += (asks_imu ? " felt " : " told ") + Hex(KeyOfPhenotype(robot));
-  }
+  const auto level = RobotsFeeling(0, genotype, scenario, inherited);
+  const auto turned =
+      RobotsFeeling(std::numbers::pi, genotype, scenario, inherited);
+  std::string robots;
+  for (std::size_t i = 0; i < level.size(); ++i) robots += level[i] + turned[i];
   return robots;
 }
 
@@ -67,12 +77,17 @@ LifePlanner::LifePlanner(Scenario scenario, SeasonSimulator simulate)
     : scenario_(std::move(scenario)), simulate_(std::move(simulate)) {
   assert(!simulate_ || !IsContinuous(scenario_));
   const State inclined = {"inclined", StateType::kBool, 0, 0, {}};
+  std::map<std::string, double> known;  // of seasons that are the same
   for (const Season& season : scenario_.seasons) {
-    season_texts_.push_back(TextOf(scenario_, season));
+    const std::string& text =
+        season_texts_.emplace_back(TextOf(scenario_, season));
     std::optional<double> felt;
-    if (!IsContinuous(scenario_) && IsFelt(scenario_, season, inclined))
-      felt = FeltInclination(season.terrain, OptionsFor(scenario_, season),
-                             scenario_.imu, {});
+    if (!IsContinuous(scenario_) && IsFelt(scenario_, season, inclined)) {
+      if (!known.contains(text))
+        known[text] = FeltInclination(
+            season.terrain, OptionsFor(scenario_, season), scenario_.imu, {});
+      felt = known[text];
+    }
     inclinations_.push_back(felt);
   }
 }
@@ -102,9 +117,8 @@ std::vector<LifePiece> LifePlanner::PlanSeasons(const Genotype& genotype,
 // then, and so is what it feels there.
 std::vector<LifePiece> LifePlanner::PlanWhole(const Genotype& genotype,
                                               const Senses& inherited) const {
-  std::string text = PrintScenario(scenario_);
-  for (std::size_t i = 0; i < scenario_.seasons.size(); ++i)
-    text += PossibleRobots(genotype, scenario_, inherited, i);
+  const std::string text =
+      PrintScenario(scenario_) + PossibleRobots(genotype, scenario_, inherited);
   LifePiece piece;
   for (std::size_t i = 0; i < scenario_.seasons.size(); ++i)
     piece.keys.push_back(KeyOf(text + std::to_string(i)));

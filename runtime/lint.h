@@ -21,6 +21,9 @@ namespace plsc {
 ///   W4001  in some environment the string would grow beyond its limit.
 ///   W4002  a symbol that no environment expresses, or a rule that rewrites
 ///          nothing in any (runtime/lint_expression.h).
+///   W4003  a controller command that somewhere changes another joint than the
+///          one before it.
+///   W4004  a rule of C that rewriting repeats in place.
 std::vector<Diagnostic> Lint(std::span<const MappedProgram> compiled,
                              const Source& source);
 

@@ -22,12 +22,18 @@ struct Fate {
   bool is_expressed = false;
   bool is_read = false;  // late development read it
   Effect last{};         // why it was not expressed there
+  // A controller command that was expressed right behind a joint that was not
+  // mounted, and so on another joint: why that was not.
+  std::optional<Effect> missing_joint;
 };
 
 struct RuleFate {
   bool is_active = false;  // in some regime
   bool is_used = false;    // and rewrote something there
   std::vector<Fate> symbols;
+  // Of a rule of C: a symbol that one reading expresses and a later one, which
+  // begins on the core again, does not.
+  std::optional<std::uint32_t> repeated;
 };
 
 class Watcher {
@@ -44,7 +50,7 @@ class Watcher {
     const auto string = Derive(genotype_, active);
     assert(string);
     if (genotype_.alphabet->is_built_in())
-      WatchDevelopment(*string);
+      WatchDevelopment(*string, active);
     else
       for (const Occurrence& occurrence : *string) Express(occurrence);
   }
@@ -90,8 +96,10 @@ class Watcher {
         fates_[rule].is_used = true;
   }
 
-  void WatchDevelopment(const SymbolString& string) {
+  void WatchDevelopment(const SymbolString& string, const ActiveRules& active) {
     const Trace trace = TraceDevelopment(genotype_, string);
+    WatchJoints(string, trace);
+    WatchReadings(string, trace, active);
     for (std::size_t i = 0; i < string.size(); ++i) {
       Fate* fate = FateOf(string[i]);
       if (fate == nullptr) continue;
@@ -99,6 +107,52 @@ class Watcher {
       fate->is_expressed |= InfoOf(effect).is_expressed;
       fate->is_read = true;
       fate->last = effect;
+    }
+  }
+
+  // Commands right behind a joint are meant for it.
+  void WatchJoints(const SymbolString& string, const Trace& trace) {
+    std::optional<Effect> missing;
+    for (std::size_t i = 0; i < string.size(); ++i) {
+      const SymbolId symbol = string[i].symbol;
+      const Effect effect = trace.events[i].effect;
+      if (symbol == plasticoding::kA1 || symbol == plasticoding::kA2) {
+        missing.reset();
+        if (effect != Effect::kMounted) missing = effect;
+      } else if ((*genotype_.alphabet)[symbol].category !=
+                 Category::kControllerChanging) {
+        missing.reset();
+      } else if (missing && InfoOf(effect).is_expressed) {
+        if (Fate* fate = FateOf(string[i])) fate->missing_joint = missing;
+      }
+    }
+  }
+
+  // The string is C and, for each rewriting, the rest of its production: the
+  // newest first, older ones rewritten since.
+  void WatchReadings(const SymbolString& string, const Trace& trace,
+                     const ActiveRules& active) {
+    std::vector<std::vector<bool>> expressed(fates_.size());
+    for (std::size_t i = 0; i < fates_.size(); ++i)
+      if (genotype_.rules[i].head == plasticoding::kC)
+        expressed[i].resize(genotype_.rules[i].production.size());
+    std::size_t begin = 1;
+    for (const std::uint64_t length : ReadingLengths(genotype_, active)) {
+      const std::size_t end = begin + static_cast<std::size_t>(length);
+      // The first one always does.
+      const bool is_again =
+          begin > 1 && begin < end && trace.events[begin].reference == 0;
+      for (std::size_t i = begin; i < end; ++i) {
+        const Occurrence& occurrence = string[i];
+        if (occurrence.rule == kNoRule || expressed[occurrence.rule].empty())
+          continue;
+        const bool is_expressed = InfoOf(trace.events[i].effect).is_expressed;
+        auto seen = expressed[occurrence.rule].begin() + occurrence.position;
+        if (is_again && *seen && !is_expressed)
+          fates_[occurrence.rule].repeated = occurrence.position;
+        *seen = *seen || is_expressed;
+      }
+      begin = end;
     }
   }
 
@@ -115,6 +169,38 @@ Diagnostic Warn(const char* code, Span span, std::string message) {
   return warning;
 }
 
+Diagnostic OfMissingJoint(Span span, SymbolId command, Effect why,
+                          const Alphabet& alphabet) {
+  Diagnostic warning =
+      Warn("W4003", span,
+           fmt::format("somewhere this '{}' changes another joint than the one "
+                       "before it",
+                       alphabet[command].name));
+  warning.label =
+      fmt::format("that joint is not expressed there: {}", InfoOf(why).text);
+  warning.help =
+      "commands change the newest joint that is mounted; 'plsc develop "
+      "--trace' "
+      "shows which";
+  return warning;
+}
+
+Diagnostic OfRepeated(const RuleSpans& spans, std::uint32_t symbol,
+                      int iterations) {
+  Diagnostic warning =
+      Warn("W4004", spans.head,
+           fmt::format("with 'iterations {}' this rule of C is read {} times, "
+                       "again and again from the core",
+                       iterations, iterations));
+  warning.label = "the first reading is in the way of the others";
+  warning.others.push_back(
+      {spans.symbols[symbol], "expressed in one reading, not in a later one"});
+  warning.help =
+      "write 'iterations 1', or end the rule with a move to where the next "
+      "reading shall go on";
+  return warning;
+}
+
 void ReportSymbols(const Rule& rule, const RuleFate& fate,
                    const RuleSpans& spans, const Genotype& genotype,
                    std::vector<Diagnostic>* warnings) {
@@ -123,6 +209,10 @@ void ReportSymbols(const Rule& rule, const RuleFate& fate,
   for (std::size_t i = 0; i < fate.symbols.size(); ++i) {
     if (warnings->size() >= kMaxReported) return;
     const Fate& symbol = fate.symbols[i];
+    if (symbol.missing_joint)
+      warnings->push_back(
+          OfMissingJoint(spans.symbols[i], rule.production[i].id,
+                         *symbol.missing_joint, *genotype.alphabet));
     // The C that begins each rule of C is a matter of form.
     if (symbol.is_expressed || !symbol.is_read || (is_core_rule && i == 0))
       continue;
@@ -142,6 +232,9 @@ std::vector<Diagnostic> ReportAll(const MappedProgram& compiled,
   for (std::size_t i = 0; i < fates.size(); ++i) {
     if (warnings.size() >= kMaxReported) break;
     const RuleSpans& spans = compiled.map.rules[i];
+    if (fates[i].repeated)
+      warnings.push_back(OfRepeated(spans, *fates[i].repeated,
+                                    genotype.development.iterations));
     if (fates[i].is_used) {
       ReportSymbols(genotype.rules[i], fates[i], spans, genotype, &warnings);
     } else if (fates[i].is_active) {  // never active is W3002's to say

@@ -1,7 +1,10 @@
 #pragma once
 
-// Symbols and rules that never do anything (W4002), found by developing the
-// genotype in every regime. A symbol counts as expressed where it does
+// What development makes otherwise than it reads, found by developing the
+// genotype in every regime: symbols and rules that never do anything (W4002),
+// commands that change another joint than the one that they stand behind
+// (W4003), rules of C that are read several times in one place (W4004).
+// A symbol counts as expressed where it does
 // something in late development (runtime/effect.h) or is rewritten before:
 // modules are often written only to call their rules. Symbols of alphabets
 // without bodies are expressed wherever they stand in the final string.

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "runtime/environment.h"
 #include "runtime/scenario_yaml.h"
 
@@ -75,11 +77,16 @@ bool IsFelt(const Scenario& scenario, const Season& season,
 std::vector<Diagnostic> CheckSenses(const Scenario& scenario,
                                     const std::vector<State>& states) {
   std::vector<Diagnostic> errors;
+  // Without senses of its own a season feels all that can be felt.
+  std::vector<State> not_felt;
+  for (const State& state : states)
+    if (!IsFelt(scenario, {}, state)) not_felt.push_back(state);
   for (const Season& season : scenario.seasons) {
-    std::vector<State> to_give;
-    for (const State& state : states)
-      if (!IsFelt(scenario, season, state)) to_give.push_back(state);
-    const Result<Environment> sensed = Sense(season, to_give);
+    if (errors.size() >= kMaxReported) break;
+    const bool feels = std::any_of(
+        states.begin(), states.end(),
+        [&](const State& state) { return IsFelt(scenario, season, state); });
+    const Result<Environment> sensed = Sense(season, feels ? not_felt : states);
     if (!sensed)
       errors.insert(errors.end(), sensed.diagnostics().begin(),
                     sensed.diagnostics().end());

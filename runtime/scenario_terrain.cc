@@ -50,11 +50,12 @@ Steps ReadSteps(YamlMap map) {
 
 Obstacles ReadObstacles(YamlMap map) {
   Obstacles obstacles;
+  const std::size_t errors = map.place().error_count();
   obstacles.seed = ReadSeed(map, obstacles.seed);
   obstacles.spacing = map.Number("spacing", obstacles.spacing, kWidth);
   obstacles.size = map.Number("size", obstacles.size, kWidth);
   obstacles.height = map.Number("height", obstacles.height, kHeight);
-  if (obstacles.size > obstacles.spacing)
+  if (map.place().error_count() == errors && obstacles.size > obstacles.spacing)
     map.place().Report("P5108",
                        fmt::format("obstacles of {} m do not fit squares of "
                                    "{} m",
@@ -86,6 +87,12 @@ Terrain ReadTerrain(const YamlValue& value) {
   if (!value.is_map()) return ReadName(value);
   YamlMap map = *value.Map("a terrain");
   Terrain terrain;
+  if (map.Find("flat")) {
+    value.Report("P5103", "expected 'flat' alone: it has no parameters",
+                 "write 'terrain: flat'");
+    map.TakeAll();
+    return terrain;
+  }
   int named = 0;
   if (const auto tilt = map.Find("tilted")) {
     terrain.type = TerrainType::kTilted;
@@ -106,12 +113,14 @@ Terrain ReadTerrain(const YamlValue& value) {
     terrain.steps = ReadSteps(std::move(*steps));
   if (auto obstacles = find(TerrainType::kObstacles))
     terrain.obstacles = ReadObstacles(std::move(*obstacles));
-  if (named != 1)
+  const std::size_t errors = value.error_count();
+  map.Close();
+  // Of an unknown kind that is said already.
+  if (named != 1 && value.error_count() == errors)
     value.Report("P5106",
                  fmt::format("expected one kind of ground, found {}", named),
                  "write '{tilted: 5 deg}', '{rough: {...}}', '{steps: {...}}' "
                  "or '{obstacles: {...}}'");
-  map.Close();
   return terrain;
 }
 

@@ -6,13 +6,18 @@
 #include <numbers>
 #include <set>
 
+#include "grammar/suggest.h"
 #include "runtime/scenario_physics.h"
 #include "runtime/scenario_profile.h"
 #include "runtime/scenario_terrain.h"
+#include "runtime/yaml_text.h"
 
 namespace plsc {
 
 namespace {
+
+// Each is a simulation of every robot, and a column of reports.
+constexpr std::size_t kMaxSeasons = 1000;
 
 // Limits of plausible lives; max_steps is the one that counts.
 constexpr Quantity kDuration = {Dimension::kTime, 0, 1e6, true};
@@ -97,6 +102,14 @@ bool IsFileName(std::string_view name) {
 std::optional<double> ReadStartHeight(const YamlValue& value) {
   if (value.is_scalar() && !value.is_quoted() && value.text() == kResting)
     return std::nullopt;
+  const std::vector<std::string_view> words = {kResting};
+  if (value.is_scalar() && Suggest(value.text(), words)) {
+    value.Report("P5107",
+                 fmt::format("expected a length or {}, found '{}'", kResting,
+                             value.text()),
+                 fmt::format("did you mean '{}'?", kResting), kResting);
+    return std::nullopt;
+  }
   return value.Number(kStartHeight);
 }
 
@@ -139,10 +152,18 @@ std::vector<Season> ReadSeasons(YamlMap& map, Profile profile,
   if (!items) return seasons;
   if (items->empty())
     value->Report("P5108", "expected at least one season, found none");
+  if (items->size() > kMaxSeasons) {
+    value->Report("P5108", fmt::format("a scenario has at most {} seasons, "
+                                       "found {}",
+                                       kMaxSeasons, items->size()));
+    return seasons;
+  }
   std::set<std::string> names;
   for (const YamlValue& item : *items) {
+    const std::size_t errors = item.error_count();
     Season season = ReadSeason(item, profile, shared);
-    if (!names.insert(season.name).second)
+    // A season that is wrong may be called after what it is not.
+    if (item.error_count() == errors && !names.insert(season.name).second)
       item.Report("P5108",
                   fmt::format("two seasons are called '{}'", season.name),
                   "give each its own 'name'");
@@ -151,31 +172,67 @@ std::vector<Season> ReadSeasons(YamlMap& map, Profile profile,
   return seasons;
 }
 
+// Of a season: as many as the longest one has of the default interval. A
+// robot's trajectory is held in memory, some 200 bytes a sample.
+constexpr double kMaxSamples = 5e6;
+
+// All tell of the first season that is wrong: one number is wrong for all.
 void CheckSampling(YamlMap& map, const Scenario& scenario) {
   const YamlValue place = map.Find("sample_interval").value_or(map.place());
   for (const Season& season : scenario.seasons) {
     if (scenario.sample_interval < season.physics.step)
-      place.Report("P5108",
-                   fmt::format("samples every {} s are closer than the steps "
+      return place.Report(
+          "P5108", fmt::format("samples every {} s are closer than the steps "
                                "of season '{}', {} s",
                                scenario.sample_interval, season.name,
                                season.physics.step));
     if (scenario.sample_interval > season.duration)
-      place.Report(
+      return place.Report(
           "P5108",
           fmt::format("samples every {} s are further apart than "
                       "season '{}' is long, {} s",
                       scenario.sample_interval, season.name, season.duration));
+    const double samples = season.duration / scenario.sample_interval;
+    if (samples > kMaxSamples)
+      return place.Report(
+          "P5108",
+          fmt::format("samples every {} s are {:.0f} of season '{}', "
+                      "{} s, more than {:.0f}",
+                      scenario.sample_interval, samples, season.name,
+                      season.duration, kMaxSamples),
+          "a greater 'sample_interval' takes less memory");
   }
 }
 
+// What a core may take to settle before anything is lived: some seconds of
+// computing that no signal ends.
+constexpr double kMaxSettlingSteps = 1e6;
+
 /// Before any robot waits for it.
+void CheckSettling(YamlMap& map, const Scenario& scenario) {
+  if (scenario.sensing != Sensing::kImu) return;
+  const YamlValue place = map.Find("imu").value_or(map.place());
+  for (const Season& season : scenario.seasons) {
+    const double steps = scenario.imu.settling / season.physics.step;
+    if (steps > kMaxSettlingSteps)
+      return place.Report(
+          "P5108",
+          fmt::format("the IMU settles for {} s, which are {:.0f} steps of "
+                      "season '{}', more than {:.0f}",
+                      scenario.imu.settling, steps, season.name,
+                      kMaxSettlingSteps),
+          "let it settle for a shorter time ('imu: {settling: ...}'), or make "
+          "the steps longer");
+  }
+}
+
+/// Likewise.
 void CheckLengths(YamlMap& map, const Scenario& scenario) {
   const YamlValue place = map.Find("max_steps").value_or(map.place());
   for (const Season& season : scenario.seasons) {
     const double steps = season.duration / season.physics.step;
     if (steps > scenario.max_steps)
-      place.Report(
+      return place.Report(
           "P5108",
           fmt::format("season '{}' of {} s takes {:.0f} steps, more "
                       "than max_steps, {}",
@@ -191,8 +248,10 @@ std::string PrintSenses(const std::map<std::string, std::string>& senses) {
     const char* end = value.data() + value.size();
     const auto [stop, failure] = std::from_chars(value.data(), end, number);
     const bool is_number = failure == std::errc{} && stop == end;
+    // Values of bool states are YAML's, too.
+    const bool is_bare = is_number || value == "True" || value == "False";
     items.push_back(fmt::format("{}: {}", PrintYamlText(name),
-                                is_number ? value : PrintYamlText(value)));
+                                is_bare ? value : PrintYamlText(value)));
   }
   return fmt::format("{{{}}}", fmt::join(items, ", "));
 }
@@ -236,6 +295,7 @@ void ReadImu(YamlMap& map, ImuOptions& imu) {
 }  // namespace
 
 Scenario ReadScenario(YamlMap& map) {
+  const std::size_t errors = map.place().error_count();
   auto profile = Profile::kPaper;
   ReadChoice(map, "profile", ProfileNames(), profile);
   Scenario scenario = ProfileScenario(profile);
@@ -259,9 +319,12 @@ Scenario ReadScenario(YamlMap& map) {
   scenario.start_clearance =
       map.Number("start_clearance", scenario.start_clearance, kClearance);
   scenario.seasons = ReadSeasons(map, profile, physics);
-  CheckSampling(map, scenario);
-  CheckLengths(map, scenario);
   map.Close();
+  if (map.place().error_count() == errors) {
+    CheckSampling(map, scenario);
+    CheckLengths(map, scenario);
+    CheckSettling(map, scenario);
+  }
   return scenario;
 }
 

@@ -2,11 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <cassert>
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <numbers>
 #include <vector>
+
+#include "grammar/suggest.h"
 
 namespace plsc {
 
@@ -53,32 +55,157 @@ std::string_view Trim(std::string_view text) {
   return text.substr(begin, text.find_last_not_of(" \t") - begin + 1);
 }
 
-ParsedQuantity NotANumber(std::string_view text, const DimensionInfo& info) {
-  return {0,
-          QuantityError{QuantityError::Kind::kNotANumber,
-                        fmt::format("expected {}, found '{}'", info.name, text),
-                        fmt::format("write it as in '{}'", info.example)}};
+// What else units are called, and units that nobody needs to know here:
+// "2 h" is "120 min".
+struct Alias {
+  std::string_view name;
+  std::string_view unit;
+  double times = 1;
+};
+
+constexpr Alias kAliases[] = {
+    {"sec", "s"},
+    {"second", "s"},
+    {"seconds", "s"},
+    {"millisecond", "ms"},
+    {"milliseconds", "ms"},
+    {"us", "ms", 0.001},
+    {"minute", "min"},
+    {"minutes", "min"},
+    {"h", "min", 60},
+    {"hour", "min", 60},
+    {"hours", "min", 60},
+    {"meter", "m"},
+    {"metre", "m"},
+    {"meters", "m"},
+    {"metres", "m"},
+    {"km", "m", 1000},
+    {"um", "mm", 0.001},
+    {"degree", "deg"},
+    {"degrees", "deg"},
+    {"\u00B0", "deg"},
+    {"radian", "rad"},
+    {"radians", "rad"},
+    {"\u00B0/s", "deg/s"},
+    {"rad s-1", "rad/s"},
+    {"kHz", "Hz", 1000},
+    {"1/s", "Hz"},
+    {"Hz", "1/s"},
+    {"/s", "1/s"},
+    {"s-1", "1/s"},
+    {"s^-1", "1/s"},
+    {"m/s^2", "m/s2"},
+    {"m/s\u00B2", "m/s2"},
+    {"m/s/s", "m/s2"},
+    {"Nm", "N m"},
+    {"N*m", "N m"},
+    {"N\u00B7m", "N m"},
+    {"kN/m", "N/m", 1000},
+    {"N/mm", "N/m", 1000},
+    {"Ns/m", "N s/m"},
+    {"N*s/m", "N s/m"},
+    {"N\u00B7s/m", "N s/m"},
+    {"cm/s", "m/s", 0.01},
+    {"mm/s", "m/s", 0.001},
+    {"km/h", "m/s", 1 / 3.6},
+};
+
+bool IsAccepted(const std::string& text, const Quantity& quantity) {
+  return !ParseQuantity(text, quantity).error;
+}
+
+// Quantities that may have been meant, the likeliest first.
+std::vector<std::string> Meant(std::string_view number, std::string_view unit,
+                               const Quantity& quantity) {
+  std::vector<std::string> meant;
+  double value = 0;
+  std::from_chars(number.data(), number.data() + number.size(), value);
+  const bool has_unit = !InfoOf(quantity.dimension).units.empty();
+  const auto add = [&](std::string_view text, std::string_view known) {
+    meant.push_back(known.empty() ? std::string(text)
+                                  : fmt::format("{} {}", text, known));
+  };
+  // A comma for the point; of "1,000" nobody knows.
+  const std::size_t digits =
+      std::min(unit.find_first_not_of("0123456789", 1), unit.size());
+  if (unit.starts_with(',') && digits != 1 && digits != 4) {
+    add(fmt::format("{}.{}", number, unit.substr(1)), "");
+    return meant;
+  }
+  if (!has_unit) {
+    if (unit == "%" || unit == "percent" || unit == "per cent")
+      add(fmt::format("{}", value / 100), "");
+    else
+      add(number, "");
+    return meant;
+  }
+  std::vector<std::string_view> names;
+  for (const Unit& known : InfoOf(quantity.dimension).units)
+    names.push_back(known.name);
+  if (unit.empty()) {
+    for (const std::string_view name : names) add(number, name);
+    return meant;
+  }
+  for (const Alias& alias : kAliases)
+    if (alias.name == unit &&
+        std::find(names.begin(), names.end(), alias.unit) != names.end())
+      add(alias.times == 1 ? std::string(number)
+                           : fmt::format("{}", value * alias.times),
+          alias.unit);
+  // "m/s" is no slip of the pen for "ms".
+  if (const auto near = Suggest(unit, names);
+      near && std::count(unit.begin(), unit.end(), '/') ==
+                  std::count(near->begin(), near->end(), '/'))
+    add(number, *near);
+  return meant;
+}
+
+// Fills in what to write instead.
+QuantityError WithHelp(QuantityError error,
+                       const std::vector<std::string>& meant,
+                       const Quantity& quantity) {
+  for (const std::string& text : meant) {
+    if (!IsAccepted(text, quantity)) continue;
+    error.help = fmt::format("write '{}'", text);
+    error.replacement = text;
+    return error;
+  }
+  error.help = fmt::format("write it as in '{}'", ExampleOf(quantity));
+  return error;
+}
+
+ParsedQuantity NotANumber(std::string_view text, const Quantity& quantity) {
+  QuantityError error;
+  error.kind = QuantityError::Kind::kNotANumber;
+  error.message = fmt::format("expected {}, found '{}'",
+                              InfoOf(quantity.dimension).name, text);
+  return {0, WithHelp(std::move(error), {}, quantity)};
 }
 
 ParsedQuantity BadUnit(std::string_view number, std::string_view unit,
-                       Dimension dimension) {
-  const DimensionInfo& info = InfoOf(dimension);
+                       const Quantity& quantity) {
+  const DimensionInfo& info = InfoOf(quantity.dimension);
   QuantityError error;
   error.kind = QuantityError::Kind::kUnit;
-  if (info.units.empty()) {
+  if (info.units.empty())
     error.message =
         fmt::format("expected a number without a unit, found '{}'", unit);
-    error.help = fmt::format("write '{}'", number);
-  } else if (unit.empty()) {
+  else if (unit.empty())
     error.message = fmt::format("expected {} with its unit: {}", info.name,
-                                AcceptedUnits(dimension));
-    error.help = fmt::format("write '{} {}'", number, info.units.front().name);
-  } else {
+                                AcceptedUnits(quantity.dimension));
+  else
     error.message = fmt::format("expected {} in {}, found '{}'", info.name,
-                                AcceptedUnits(dimension), unit);
-    error.help = fmt::format("write it as in '{}'", info.example);
-  }
-  return {0, error};
+                                AcceptedUnits(quantity.dimension), unit);
+  return {0,
+          WithHelp(std::move(error), Meant(number, unit, quantity), quantity)};
+}
+
+// "80" of a share is 80 %.
+std::string RangeHelp(double value, const Quantity& quantity) {
+  const bool is_share = quantity.dimension == Dimension::kNumber &&
+                        quantity.low == 0 && quantity.high == 1;
+  if (!is_share || value <= 1 || value > 100) return "";
+  return fmt::format("write '{}' for {} %", value / 100, value);
 }
 
 std::optional<QuantityError> CheckRange(double value,
@@ -99,7 +226,8 @@ std::optional<QuantityError> CheckRange(double value,
                                                        : low + " and " + high;
   return QuantityError{
       QuantityError::Kind::kRange,
-      fmt::format("expected {}, found {}", expected, text(value)), ""};
+      fmt::format("expected {}, found {}", expected, text(value)),
+      RangeHelp(value, quantity)};
 }
 
 }  // namespace
@@ -116,7 +244,7 @@ ParsedQuantity ParseQuantity(std::string_view text, const Quantity& quantity) {
   const auto [end, failure] =
       std::from_chars(text.data(), text.data() + text.size(), number);
   if (!has_digit || failure == std::errc::invalid_argument)
-    return NotANumber(text, info);
+    return NotANumber(text, quantity);
   const auto length = static_cast<std::size_t>(end - text.data());
   if (failure == std::errc::result_out_of_range)
     return {0, QuantityError{QuantityError::Kind::kRange,
@@ -129,17 +257,29 @@ ParsedQuantity ParseQuantity(std::string_view text, const Quantity& quantity) {
   ParsedQuantity parsed;
   if (unit.empty()) {
     if (quantity.dimension == Dimension::kAngle)
-      return BadUnit(written, unit, quantity.dimension);
+      return BadUnit(written, unit, quantity);
     parsed.value = number;
   } else {
     const Unit* found = nullptr;
     for (const Unit& known : info.units)
       if (known.name == unit) found = &known;
-    if (found == nullptr) return BadUnit(written, unit, quantity.dimension);
+    if (found == nullptr) return BadUnit(written, unit, quantity);
     parsed.value = number * found->times / found->over;
   }
   parsed.error = CheckRange(parsed.value, quantity);
   return parsed;
+}
+
+std::string ExampleOf(const Quantity& quantity) {
+  if (quantity.usual) {
+    std::string text = PrintQuantity(*quantity.usual, quantity.dimension);
+    if (IsAccepted(text, quantity)) return text;
+  }
+  std::string usual(InfoOf(quantity.dimension).example);
+  if (IsAccepted(usual, quantity)) return usual;
+  const bool has_high = quantity.high < std::numeric_limits<double>::max();
+  return PrintQuantity(has_high ? quantity.high : quantity.low,
+                       quantity.dimension);
 }
 
 std::string PrintQuantity(double value, Dimension dimension) {

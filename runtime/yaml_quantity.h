@@ -34,14 +34,16 @@ struct Quantity {
   double low = -std::numeric_limits<double>::max();
   double high = std::numeric_limits<double>::max();
   bool is_low_excluded = false;
+  std::optional<double> usual{};  ///< its default, to be shown as an example
 };
 
 /// What is wrong with a text, and how to mend it; or the value in SI.
 struct QuantityError {
   enum class Kind : std::uint8_t { kNotANumber, kUnit, kRange };
   Kind kind = Kind::kNotANumber;
-  std::string message;  ///< expected before found
-  std::string help;
+  std::string message;        ///< expected before found
+  std::string help;           ///< what it tells to write is always accepted
+  std::string replacement{};  ///< what was meant, if that is clear
 };
 struct ParsedQuantity {
   double value = 0;
@@ -52,6 +54,9 @@ ParsedQuantity ParseQuantity(std::string_view text, const Quantity& quantity);
 /// Shortest text that ParseQuantity reads back to the same value, with a unit
 /// where there is one: "50 s", "5 deg" (rad where degrees would not do).
 std::string PrintQuantity(double value, Dimension dimension);
+
+/// One that is in the range, to be shown: "50 s", "0.1 s".
+std::string ExampleOf(const Quantity& quantity);
 
 /// "a time", "an angle".
 std::string_view DimensionName(Dimension dimension);

@@ -11,6 +11,7 @@
 
 #include "grammar/screen.h"
 #include "grammar/suggest.h"
+#include "runtime/yaml_words.h"
 
 namespace plsc {
 
@@ -30,16 +31,13 @@ struct YamlNode {
 
 namespace {
 
-constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-
 std::uint32_t OffsetOf(const Source& source, const YAML::Mark& mark) {
   const auto size = static_cast<std::uint32_t>(source.text().size());
   // A null mark (-1) and one past the end both point at the end.
   if (mark.line < 0 || mark.line >= source.line_count()) return size;
   std::uint32_t begin = source.LineBegin(mark.line + 1);
   // yaml-cpp does not count the byte order mark.
-  if (mark.line == 0 && source.text().starts_with(kByteOrderMark))
-    begin += static_cast<std::uint32_t>(kByteOrderMark.size());
+  if (mark.line == 0) begin += TextBegin(source.text());
   return std::min(begin + static_cast<std::uint32_t>(mark.column), size);
 }
 
@@ -142,6 +140,13 @@ YAML::Node ParseOne(const Source& source, std::vector<Diagnostic>& errors) {
   return {};
 }
 
+template <typename IsRight>
+std::string WholeNumberText(const std::string& written,
+                            const IsRight& is_right) {
+  const auto meant = WholeNumberMeant(written);
+  return meant && is_right(*meant) ? std::to_string(*meant) : "";
+}
+
 }  // namespace
 
 bool YamlValue::is_scalar() const {
@@ -160,76 +165,158 @@ Span YamlValue::span() const {
   return SpanOf(document_->source, node_->node);
 }
 
+std::size_t YamlValue::CountEntries() const {
+  return node_->node.size();
+}
+
+std::size_t YamlValue::CountValues(std::size_t most) const {
+  std::size_t count = 0;
+  std::vector<YAML::Node> open{node_->node};
+  while (!open.empty() && count < most) {
+    const YAML::Node node = open.back();
+    open.pop_back();
+    ++count;
+    for (const auto& item : node) {
+      if (open.size() > most) break;
+      if (node.IsMap())
+        open.push_back(item.second);
+      else
+        open.push_back(item);
+    }
+  }
+  return count;
+}
+
+bool YamlValue::is_full() const {
+  return document_->diagnostics.size() >= kMaxReported;
+}
+
 void YamlValue::Report(std::string_view code, std::string message,
-                       std::string help) const {
+                       std::string help, std::string replacement) const {
+  if (is_full()) return;
   Diagnostic diagnostic;
   diagnostic.code = code;
   diagnostic.span = span();
   diagnostic.message = std::move(message);
   diagnostic.help = std::move(help);
+  if (!replacement.empty())
+    diagnostic.fixes.push_back({span(), std::move(replacement)});
   document_->diagnostics.push_back(std::move(diagnostic));
 }
 
+std::size_t YamlValue::error_count() const {
+  return document_->diagnostics.size();
+}
+
 std::optional<double> YamlValue::Number(const Quantity& quantity) const {
-  if (is_quoted() || !is_scalar()) {
-    Report(
-        "P5103",
-        fmt::format("expected {}, found {}", DimensionName(quantity.dimension),
-                    is_quoted() ? "a text in quotes" : Found(node_->node)),
-        is_quoted() ? "write it without quotes" : "");
+  const std::string_view expected = DimensionName(quantity.dimension);
+  if (!is_scalar()) {
+    Report("P5103",
+           fmt::format("expected {}, found {}", expected, Found(node_->node)),
+           fmt::format("write it as in '{}'", ExampleOf(quantity)));
     return std::nullopt;
   }
   ParsedQuantity parsed = ParseQuantity(text(), quantity);
+  if (is_quoted()) {
+    const std::string meant = parsed.error ? parsed.error->replacement : text();
+    ReportQuoted(expected, meant, ExampleOf(quantity));
+    return std::nullopt;
+  }
   if (!parsed.error) return parsed.value;
   using Kind = QuantityError::Kind;
   const std::string_view code = parsed.error->kind == Kind::kNotANumber
                                     ? "P5103"
                                 : parsed.error->kind == Kind::kRange ? "P5104"
                                                                      : "P5105";
-  Report(code, std::move(parsed.error->message), std::move(parsed.error->help));
+  Report(code, std::move(parsed.error->message), std::move(parsed.error->help),
+         std::move(parsed.error->replacement));
   return std::nullopt;
 }
 
-std::optional<std::int64_t> YamlValue::Integer(std::int64_t low,
-                                               std::int64_t high) const {
+std::optional<std::int64_t> YamlValue::Integer(
+    std::int64_t low, std::int64_t high,
+    std::optional<std::int64_t> usual) const {
+  constexpr std::string_view kExpected = "a whole number";
   std::int64_t number = 0;
-  const std::string written = is_scalar() && !is_quoted() ? text() : "";
+  const std::string written = is_scalar() ? text() : "";
   const char* end = written.data() + written.size();
   const auto [stop, failure] = std::from_chars(written.data(), end, number);
-  if (written.empty() || stop != end ||
-      failure == std::errc::invalid_argument) {
-    Report("P5103",
-           fmt::format("expected a whole number, found {}",
-                       is_quoted() ? "a text in quotes" : Found(node_->node)));
+  const auto is_right = [&](std::int64_t value) {
+    return value >= low && value <= high;
+  };
+  const std::string example =
+      std::to_string(std::clamp(usual.value_or(low), low, high));
+  if (is_quoted()) {
+    ReportQuoted(kExpected, WholeNumberText(written, is_right), example);
     return std::nullopt;
   }
-  if (failure == std::errc{} && number >= low && number <= high) return number;
-  Report("P5104", fmt::format("expected a whole number of {} to {}, found {}",
-                              low, high, written));
+  if (written.empty() || stop != end ||
+      failure == std::errc::invalid_argument) {
+    const std::string meant = WholeNumberText(written, is_right);
+    Report("P5103",
+           fmt::format("expected {}, found {}", kExpected, Found(node_->node)),
+           meant.empty() ? fmt::format("write it as in '{}'", example)
+                         : fmt::format("write '{}'", meant),
+           meant);
+    return std::nullopt;
+  }
+  if (failure == std::errc{} && is_right(number)) return number;
+  Report("P5104",
+         low == high
+             ? fmt::format("expected {}, found {}", low, written)
+             : fmt::format("expected a whole number of {} to {}, found {}", low,
+                           high, written));
   return std::nullopt;
 }
 
 std::optional<std::uint64_t> YamlValue::Unsigned() const {
   std::uint64_t number = 0;
-  const std::string written = is_scalar() && !is_quoted() ? text() : "";
+  const std::string written = is_scalar() ? text() : "";
   const char* end = written.data() + written.size();
   const auto [stop, failure] = std::from_chars(written.data(), end, number);
-  if (!written.empty() && stop == end && failure == std::errc{}) return number;
-  Report("P5103",
-         fmt::format("expected a whole number of 0 to {}, found {}",
-                     std::numeric_limits<std::uint64_t>::max(),
-                     is_quoted() ? "a text in quotes" : Found(node_->node)));
+  const bool is_number =
+      !written.empty() && stop == end && failure == std::errc{};
+  if (is_number && !is_quoted()) return number;
+  const std::string expected = fmt::format(
+      "a whole number of 0 to {}", std::numeric_limits<std::uint64_t>::max());
+  const auto is_right = [](std::int64_t value) { return value >= 0; };
+  const std::string meant =
+      is_number ? written : WholeNumberText(written, is_right);
+  if (is_quoted())
+    ReportQuoted(expected, meant, "1");
+  else
+    Report(
+        "P5103",
+        fmt::format("expected {}, found {}", expected, Found(node_->node)),
+        meant.empty() ? "write it as in '1'" : fmt::format("write '{}'", meant),
+        meant);
   return std::nullopt;
 }
 
 std::optional<bool> YamlValue::Bool() const {
-  const std::string written = is_scalar() && !is_quoted() ? text() : "";
+  const std::string written = is_scalar() ? text() : "";
+  const std::string meant = TruthMeant(written);
+  if (is_quoted()) {
+    ReportQuoted("True or False", meant, "True");
+    return std::nullopt;
+  }
   if (written == "true" || written == "True") return true;
   if (written == "false" || written == "False") return false;
   Report("P5103",
-         fmt::format("expected True or False, found {}",
-                     is_quoted() ? "a text in quotes" : Found(node_->node)));
+         fmt::format("expected True or False, found {}", Found(node_->node)),
+         meant.empty() ? "write 'True' or 'False'"
+                       : fmt::format("write '{}'", meant),
+         meant);
   return std::nullopt;
+}
+
+void YamlValue::ReportQuoted(std::string_view expected,
+                             const std::string& meant,
+                             const std::string& example) const {
+  Report("P5103", fmt::format("expected {}, found a text in quotes", expected),
+         meant.empty() ? fmt::format("write it as in '{}'", example)
+                       : fmt::format("write '{}', without quotes", meant),
+         meant);
 }
 
 std::optional<std::string> YamlValue::Text(std::string_view what) const {
@@ -251,7 +338,8 @@ std::optional<std::size_t> YamlValue::Choice(
   Report(is_scalar() ? "P5107" : "P5103",
          fmt::format("expected {}, found {}", fmt::join(names, " or "),
                      Found(node_->node)),
-         nearest ? fmt::format("did you mean '{}'?", *nearest) : "");
+         nearest ? fmt::format("did you mean '{}'?", *nearest) : "",
+         nearest.value_or(""));
   return std::nullopt;
 }
 
@@ -313,22 +401,24 @@ std::optional<YamlValue> YamlMap::Find(std::string_view key) {
 std::optional<YamlValue> YamlMap::Need(std::string_view key,
                                        std::string_view help) {
   std::optional<YamlValue> value = Find(key);
-  if (!value)
-    place_.Report("P5106", fmt::format("expected the key '{}' here", key),
-                  std::string(help));
+  if (!value) missing_.emplace_back(key, help);
   return value;
 }
 
 double YamlMap::Number(std::string_view key, double otherwise,
                        const Quantity& quantity) {
   const std::optional<YamlValue> value = Find(key);
-  return value ? value->Number(quantity).value_or(otherwise) : otherwise;
+  if (!value) return otherwise;
+  Quantity with_default = quantity;
+  with_default.usual = otherwise;
+  return value->Number(with_default).value_or(otherwise);
 }
 
 int YamlMap::Int(std::string_view key, int otherwise, int low, int high) {
   const std::optional<YamlValue> value = Find(key);
   if (!value) return otherwise;
-  return static_cast<int>(value->Integer(low, high).value_or(otherwise));
+  return static_cast<int>(
+      value->Integer(low, high, otherwise).value_or(otherwise));
 }
 
 bool YamlMap::Bool(std::string_view key, bool otherwise) {
@@ -348,16 +438,35 @@ std::size_t YamlMap::Choice(std::string_view key, std::size_t otherwise,
 }
 
 void YamlMap::Close() const {
-  const std::vector<std::string_view> known(known_.begin(), known_.end());
-  const std::unordered_set<std::string_view> all(known.begin(), known.end());
+  const std::unordered_set<std::string_view> all(known_.begin(), known_.end());
+  std::unordered_set<std::string_view> given;
+  for (const Entry& entry : entries_) given.insert(entry.key);
+  // In the order of asking, each once: some keys are asked for several times.
+  std::vector<std::string_view> known;
+  std::vector<std::string_view> free;
+  std::unordered_set<std::string_view> listed;
+  for (const std::string& key : known_) {
+    if (!listed.insert(key).second) continue;
+    known.push_back(key);
+    if (!given.contains(key)) free.push_back(key);
+  }
+  std::unordered_set<std::string> meant;
   for (const Entry& entry : entries_) {
     if (all.contains(entry.key)) continue;
-    const auto nearest = Suggest(entry.key, known);
-    entry.at.Report(
-        "P5101", fmt::format("unknown key '{}'", entry.key),
-        nearest ? fmt::format("did you mean '{}'?", *nearest)
-                : fmt::format("known here: {}", fmt::join(known, ", ")));
+    if (place_.is_full()) return;
+    // One that is there already cannot be meant.
+    const auto nearest = Suggest(entry.key, free);
+    entry.at.Report("P5101", fmt::format("unknown key '{}'", entry.key),
+                    nearest
+                        ? fmt::format("did you mean '{}'?", *nearest)
+                        : fmt::format("known here: {}", fmt::join(known, ", ")),
+                    nearest.value_or(""));
+    if (nearest) meant.insert(*nearest);
   }
+  for (const auto& [key, help] : missing_)
+    if (!meant.contains(key))
+      place_.Report("P5106", fmt::format("expected the key '{}' here", key),
+                    help);
 }
 
 YamlFile::YamlFile(const Source& source)
@@ -374,23 +483,6 @@ std::optional<YamlMap> YamlFile::Root(std::string_view what) const {
 
 const std::vector<Diagnostic>& YamlFile::diagnostics() const {
   return document_->diagnostics;
-}
-
-std::string PrintYamlText(std::string_view text) {
-  YAML::Emitter emitter;
-  // JSON's quoting is also YAML's, and the only one that shows control
-  // characters.
-  emitter << YAML::DoubleQuoted << std::string(text);
-  const auto is_plain = [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' ||
-           (c >= '0' && c <= '9');
-  };
-  const bool starts_plain =
-      !text.empty() && !(text[0] >= '0' && text[0] <= '9');
-  if (starts_plain && std::all_of(text.begin(), text.end(), is_plain) &&
-      text != "null" && text != "Null" && text != "NULL")
-    return std::string(text);
-  return emitter.c_str();
 }
 
 }  // namespace plsc

@@ -39,8 +39,10 @@ class YamlValue {
   Span span() const;         ///< of a scalar; the first byte of others
 
   std::optional<double> Number(const Quantity& quantity) const;
-  std::optional<std::int64_t> Integer(std::int64_t low,
-                                      std::int64_t high) const;
+  /// `usual` is shown where something else stands; nothing: `low` is.
+  std::optional<std::int64_t> Integer(
+      std::int64_t low, std::int64_t high,
+      std::optional<std::int64_t> usual = std::nullopt) const;
   std::optional<std::uint64_t> Unsigned() const;  ///< 0 to 2^64 - 1
   std::optional<bool> Bool() const;               ///< true, True, false, False
   /// A scalar that is not empty. `what` says what it is: "a name".
@@ -51,11 +53,27 @@ class YamlValue {
   std::optional<std::vector<YamlValue>> List(std::string_view what) const;
   std::optional<YamlMap> Map(std::string_view what) const;
 
-  /// Reports an error here. Code P5xxx; see yaml_reader.cc.
-  void Report(std::string_view code, std::string message,
-              std::string help = "") const;
+  std::size_t CountEntries() const;  ///< of a map or list
+  /// Values in it and itself, counted up to `most`: with aliases a short text
+  /// may have any number.
+  std::size_t CountValues(std::size_t most) const;
+
+  /// Whether so many errors were found that no more are reported; a loop over
+  /// what a file may have thousands of ends then.
+  bool is_full() const;
+  /// Reports an error here. Code P5xxx; see yaml_reader.cc. `replacement`, if
+  /// not empty, is to be written in its place.
+  void Report(std::string_view code, std::string message, std::string help = "",
+              std::string replacement = "") const;
+  /// Of the file, so far: who puts values together that were read one by one
+  /// has nothing to say where one of them is wrong and only a default stands in
+  /// for it.
+  std::size_t error_count() const;
 
  private:
+  void ReportQuoted(std::string_view expected, const std::string& meant,
+                    const std::string& example) const;
+
   std::shared_ptr<YamlDocument> document_;
   std::shared_ptr<const YamlNode> node_;
 };
@@ -75,7 +93,8 @@ class YamlMap {
   const std::vector<Entry>& TakeAll();
   /// Makes the key known.
   std::optional<YamlValue> Find(std::string_view key);
-  /// As Find; a missing key is an error.
+  /// As Find; a missing key is an error, which Close reports unless an unknown
+  /// key is the misspelt one.
   std::optional<YamlValue> Need(std::string_view key, std::string_view help);
 
   double Number(std::string_view key, double otherwise,
@@ -94,6 +113,7 @@ class YamlMap {
   YamlValue place_;
   std::vector<Entry> entries_;
   std::vector<std::string> known_;
+  std::vector<std::pair<std::string, std::string>> missing_;  // and its help
 };
 
 /// A parsed file. `source` outlives it.
@@ -109,8 +129,5 @@ class YamlFile {
  private:
   std::shared_ptr<YamlDocument> document_;
 };
-
-/// `text` so that YAML reads it as this very string; quoted where needed.
-std::string PrintYamlText(std::string_view text);
 
 }  // namespace plsc

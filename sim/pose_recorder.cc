@@ -36,8 +36,10 @@ std::int64_t ReplayStride(const SimulationOptions& options, int links) {
   const double step = options.physics.step;
   const double most = std::max(kMaxPoses / std::max(links, 1), 2.0);
   const double interval = std::max(kReplayInterval, options.duration / most);
-  return std::max<std::int64_t>(
-      static_cast<std::int64_t>(std::ceil(interval / step - 1e-9)), 1);
+  // Beyond the steps of any life, and still a number of steps.
+  constexpr double kMost = 1e15;
+  return static_cast<std::int64_t>(
+      std::clamp(std::ceil(interval / step - 1e-9), 1.0, kMost));
 }
 
 void PoseRecorder::Begin(const Phenotype& robot,

@@ -6,9 +6,22 @@
 
 namespace plsc {
 
+namespace {
+
+// Beyond any life: what is due then never is. A number of steps that does not
+// fit the integer would round to anything, a negative one too.
+constexpr std::int64_t kNever = std::int64_t{1} << 62;
+
+std::int64_t Whole(double steps) {
+  if (!(steps < static_cast<double>(kNever))) return kNever;
+  return static_cast<std::int64_t>(steps);
+}
+
+}  // namespace
+
 std::int64_t NearestStep(double time, double step) {
   assert(step > 0 && time >= 0);
-  return std::llround(time / step);
+  return Whole(std::round(time / step));
 }
 
 std::optional<double> RefreshSchedule::Due(std::int64_t step) {
@@ -17,8 +30,7 @@ std::optional<double> RefreshSchedule::Due(std::int64_t step) {
     // The first step strictly later; the nudge takes 25.000000000000004 steps
     // for the 25 they are.
     constexpr double kNudge = 1e-9;
-    const auto wait =
-        static_cast<std::int64_t>(std::floor(period / step_ + kNudge)) + 1;
+    const std::int64_t wait = Whole(std::floor(period / step_ + kNudge)) + 1;
     if (step - latest_ < wait) return std::nullopt;
     latest_ = step;
     return static_cast<double>(step) * step_;

@@ -12,7 +12,8 @@
 
 namespace plsc {
 
-/// The number of the step that starts nearest to `time`; halves go up.
+/// The number of the step that starts nearest to `time`; halves go up. Beyond
+/// 2^62 steps, which no life takes, it is 2^62.
 std::int64_t NearestStep(double time, double step);
 
 /// When joints get new targets.

@@ -1,9 +1,12 @@
 // The command line as a whole, and what is said of a wrong one. The
 // arguments_*.cc files are the only ones that know CLI11.
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cassert>
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <sstream>
@@ -11,6 +14,7 @@
 #include "grammar/suggest.h"
 #include "runtime/cli/arguments_commands.h"
 #include "runtime/cli/commands.h"
+#include "runtime/cli/program.h"
 #include "runtime/cli/version.h"
 
 namespace plsc::cli {
@@ -138,6 +142,16 @@ std::vector<std::string> ForParsing(const std::vector<std::string>& arguments) {
   return reversed;
 }
 
+// Whether a word behind an option's value is nothing else that is known: no
+// option, no file, no robot of a run.
+bool MayBeValue(const std::string& word) {
+  std::error_code ignored;
+  const bool is_robot =
+      word == "best" || word.find_first_not_of("0123456789") == word.npos;
+  return !word.starts_with('-') && !is_robot &&
+         !std::filesystem::exists(SplitGenotypePath(word).file, ignored);
+}
+
 /// All commands, each with the struct that its options fill.
 class Commands {
  public:
@@ -163,6 +177,19 @@ class Commands {
   };
   std::vector<Entry> entries_;
 };
+
+// An option of several values takes one each time it is written: more would
+// swallow the positionals behind it.
+void TakeOneValueEach(CLI::App& app) {
+  for (CLI::Option* option : app.get_options()) {
+    const bool is_list =
+        option->get_items_expected_max() > 1 || option->get_allow_extra_args();
+    if (!is_list || option->get_positional()) continue;
+    option->expected(1)->allow_extra_args(false)->multi_option_policy(
+        CLI::MultiOptionPolicy::TakeAll);
+  }
+  for (CLI::App* command : app.get_subcommands({})) TakeOneValueEach(*command);
+}
 
 Commands AddAll(CLI::App& app) {
   app.name("plsc");
@@ -206,10 +233,17 @@ Commands AddAll(CLI::App& app) {
   commands.Add(app, AddHash);
   commands.Add(app, AddCompletion);
   commands.Add(app, AddMan);
+  TakeOneValueEach(app);
   return commands;
 }
 
 }  // namespace
+
+void AddForce(CLI::App* command, bool& force) {
+  command->add_flag("--force", force,
+                    "replace files that are left alone otherwise: see \"What "
+                    "an output replaces\" in docs/formats.md");
+}
 
 void AddFormat(CLI::App* command, OutputFormat& format, const char* json) {
   command
@@ -225,6 +259,30 @@ CommandDescription DescribeCommandLine() {
   CLI::App app;
   AddAll(app);
   return DescribeApp(app, "");
+}
+
+std::string AdviceOnValues(const std::vector<std::string>& arguments) {
+  CLI::App app;
+  AddAll(app);
+  const CLI::App* chosen = &app;
+  for (const std::string& word : arguments) {
+    const std::vector<std::string> known = CommandNames(*chosen);
+    if (std::find(known.begin(), known.end(), word) == known.end()) break;
+    chosen = chosen->get_subcommand(word);
+  }
+  for (std::size_t i = 0; i + 2 < arguments.size(); ++i) {
+    const CLI::Option* option = chosen->get_option_no_throw(arguments[i]);
+    const std::string& value = arguments[i + 1];
+    const std::string& word = arguments[i + 2];
+    if (option == nullptr || option->get_items_expected_max() == 0 ||
+        option->get_multi_option_policy() != CLI::MultiOptionPolicy::TakeAll ||
+        !MayBeValue(word))
+      continue;
+    return fmt::format(
+        "= help: {0} takes one value each time: {0} {1} {0} {2}\n",
+        arguments[i], value, word);
+  }
+  return "";
 }
 
 Command ParseArguments(const std::vector<std::string>& arguments) {

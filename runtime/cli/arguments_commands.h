@@ -54,6 +54,9 @@ CLI::App* AddWhy(CLI::App& app, WhyCommand& command);
 /// The command and all below it; `name` as in CommandDescription.
 CommandDescription DescribeApp(const CLI::App& app, const std::string& name);
 
+/// --force, of every command that writes files.
+void AddForce(CLI::App* command, bool& force);
+
 /// --format text|json; `json` says what a line of it is.
 void AddFormat(CLI::App* command, OutputFormat& format, const char* json);
 

@@ -60,6 +60,9 @@ OptionDescription Described(const CLI::Option& option) {
   described.is_repeated =
       option.get_expected_max() > 1 ||
       option.get_multi_option_policy() == CLI::MultiOptionPolicy::TakeAll;
+  described.values_at_once = option.get_allow_extra_args()
+                                 ? CLI::detail::expected_max_vector_size
+                                 : option.get_items_expected_max();
   const bool takes_value = option.get_items_expected_max() > 0;
   if (takes_value) {
     described.value = option.get_option_text();

@@ -17,9 +17,9 @@ CLI::App* AddEvaluate(CLI::App& app, EvaluateCommand& command) {
                   "paper's, 50 s Flat then 50 s Tilted by 5 degrees)")
       ->option_text("FILE");
   sub->add_option("--jobs", command.jobs,
-                  "worker processes (default: one a core that may be used); "
-                  "changes no answer")
-      ->check(CLI::Range(1, 1024))
+                  "worker processes (0 and default: one a core that may be "
+                  "used); changes no answer")
+      ->check(CLI::Range(0, 1024))
       ->option_text("N");
   sub->add_flag(
       "--in-order", command.in_order,

@@ -80,8 +80,6 @@ void AddRobotOptions(CLI::App* sub, ExportCommand& command, CLI::Option* to) {
                   "name of an environment of the file, of a season of the "
                   "run; may be repeated (default: all of them)")
       ->option_text("ENVIRONMENT")
-      ->expected(1)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
       ->needs(to);
   sub->add_option("--scenario", command.scenario,
                   "with --to: YAML file with the seasons and the physics "
@@ -138,7 +136,7 @@ CLI::App* AddExport(CLI::App& app, ExportCommand& command) {
                   "folder for the robots of several environments")
       ->option_text("FILE|FOLDER")
       ->excludes(csv);
-  sub->add_flag("--force", command.force, "overwrite files that exist");
+  AddForce(sub, command.force);
   sub->footer(kExportFooter);
   return sub;
 }

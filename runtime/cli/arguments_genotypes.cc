@@ -13,11 +13,12 @@ void AddRange(CLI::App* command, bool& allow_range) {
                     "arguments outside their range are warnings, not errors");
 }
 
-void AddOutput(CLI::App* command, std::string& output) {
+void AddOutput(CLI::App* command, std::string& output, bool& force) {
   command
       ->add_option("-o,--output", output,
                    "file to write (default: standard output)")
       ->option_text("FILE");
+  AddForce(command, force);
 }
 
 void AddFiles(CLI::App* command, std::vector<std::string>& files) {
@@ -36,9 +37,7 @@ void AddEnvironmentsOf(CLI::App* command,
                    std::string("STATE=VALUE,... or the name of an environment "
                                "of the file; may be repeated (default: ") +
                        otherwise + ")")
-      ->option_text("ENVIRONMENT")
-      ->expected(1)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+      ->option_text("ENVIRONMENT");
 }
 
 // What mutations and crossovers have in common.
@@ -66,7 +65,7 @@ void AddStream(CLI::App* sub, One& command) {
                   "YAML file of an experiment whose operators are meant "
                   "(default: the paper's)")
       ->option_text("FILE");
-  AddOutput(sub, command.output);
+  AddOutput(sub, command.output, command.force);
   AddFormat(sub, command.format, "one child a line, with its text");
   AddRange(sub, command.allow_range);
 }
@@ -133,19 +132,19 @@ CLI::App* AddImport(CLI::App& app, ImportCommand& command) {
   sub->add_option("--rename", command.renames,
                   "OLD=NEW: call a state otherwise, as in hill=inclined; may "
                   "be repeated")
-      ->option_text("OLD=NEW")
-      ->expected(1)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+      ->option_text("OLD=NEW");
   sub->add_flag("--unjoin", command.unjoin,
                 "take off rules what Revolve joined to them in the level "
                 "season, where it can be seen");
-  AddOutput(sub, command.output);
+  AddOutput(sub, command.output, command.force);
   AddRange(sub, command.allow_range);
   sub->footer(
       "Names become the paper's (AJ1 is A2, AJ2 is A1) and the parameters of "
       "joints get\nits order, weight, amplitude, period, phase. What is lost "
       "or was lost before is\nsaid in warnings (W5200). The formats hold no "
-      "settings: those of the paper are\nwritten.\n\n"
+      "settings: those of the paper are\nwritten, with its limits of terms and "
+      "rules (max_terms, max_rules), or larger ones\nwhere the text has "
+      "more.\n\n"
       "  plsc import genotype_robot_12.txt --rename hill=inclined -o r12.pls\n"
       "  plsc import old.txt --format lines | plsc develop -");
   return sub;
@@ -200,6 +199,7 @@ CLI::App* AddTrim(CLI::App& app, TrimCommand& command) {
       sub->add_option("-o,--output", command.output,
                       "file to write (default: standard output)")
           ->option_text("FILE");
+  AddForce(sub, command.force);
   CLI::Option* write =
       sub->add_flag("--write", command.write, "replace FILE itself")
           ->excludes(output);

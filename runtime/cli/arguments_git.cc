@@ -59,6 +59,7 @@ CLI::App* AddMerge(CLI::App& app, MergeCommand& command) {
   CLI::Option* output = sub->add_option("-o,--output", command.output,
                                         "write here, not to standard output");
   output->option_text("FILE");
+  AddForce(sub, command.force);
   CLI::Option* write =
       sub->add_flag("--write-ours", command.write_ours, "replace OURS");
   output->excludes(write);
@@ -75,8 +76,6 @@ CLI::App* AddMerge(CLI::App& app, MergeCommand& command) {
   sub->add_option("--label", command.labels,
                   "up to three times: names of ours, base and theirs in "
                   "messages and markers")
-      ->expected(1)
-      ->take_all()
       ->option_text("NAME");
   sub->add_flag("--allow-range", command.allow_range,
                 "arguments outside their range are warnings, not errors");

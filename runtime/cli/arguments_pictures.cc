@@ -31,9 +31,7 @@ CLI::App* AddDraw(CLI::App& app, DrawCommand& command) {
                   "what the robot senses: STATE=VALUE,... or the name of an "
                   "environment of the file, of a season of the run; may be "
                   "repeated (default: all of them)")
-      ->option_text("ENVIRONMENT")
-      ->expected(1)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+      ->option_text("ENVIRONMENT");
   CLI::Option* brain =
       sub->add_flag("--brain", command.brain, "the brain instead of the body");
   sub->add_option("--colour,--color", command.colour,
@@ -46,11 +44,12 @@ CLI::App* AddDraw(CLI::App& app, DrawCommand& command) {
       ->excludes(brain);
   CLI::Option* output =
       sub->add_option("-o,--output", command.output,
-                      "the picture, an .svg or a .png; a file that exists is "
-                      "replaced; - prints the SVG (default: draw in the "
+                      "the picture, an .svg or a .png; - prints the SVG "
+                      "(default: draw in the "
                       "terminal)")
           ->option_text("FILE")
           ->check(CheckEnding);
+  AddForce(sub, command.force);
   sub->add_option("--scale", command.scale,
                   "of a .png: its pixels per pixel of the .svg (default 2; a "
                   "module is 100 pixels of the .svg)")

@@ -15,9 +15,9 @@ CLI::App* AddReport(CLI::App& app, ReportCommand& command) {
       ->option_text("STUDY|RUN...")
       ->required();
   sub->add_option("-o,--output", command.output,
-                  "the page: one HTML file that needs nothing else; an "
-                  "existing one is replaced")
+                  "the page: one HTML file that needs nothing else")
       ->option_text("FILE");
+  AddForce(sub, command.force);
   sub->add_option("--measures", command.measures,
                   "what is shown of robots: paper (default: Speed, Balance, "
                   "Size, Sensors, Sensors Reach, Recurrence), all, or names of "
@@ -29,6 +29,9 @@ CLI::App* AddReport(CLI::App& app, ReportCommand& command) {
           {"html", ReportFormat::kHtml}, {"json", ReportFormat::kJson}}))
       ->type_name("html|json")
       ->option_text("html|json");
+  sub->add_flag("--verify", command.verify,
+                "compare all results with their checksums first (about a "
+                "second for 10,000 robots); what is damaged is left out");
   sub->add_flag("--quiet", command.quiet,
                 "no progress and no summary; only what is wrong");
   sub->footer(

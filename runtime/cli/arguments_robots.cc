@@ -15,9 +15,7 @@ void AddEnvironments(CLI::App* command,
                    "what the robot senses: STATE=VALUE,... or the name of an "
                    "environment of the file; may be repeated (default: every "
                    "environment that the file names)")
-      ->option_text("ENVIRONMENT")
-      ->expected(1)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+      ->option_text("ENVIRONMENT");
 }
 
 void AddRobot(CLI::App* command, std::string& individual) {
@@ -39,6 +37,7 @@ CLI::App* AddDevelop(CLI::App& app, DevelopCommand& command) {
   sub->add_option("--svg", command.svg_folder,
                   "also draw each body as FOLDER/GENOTYPE-ENVIRONMENT.svg")
       ->option_text("FOLDER");
+  AddForce(sub, command.force);
   sub->add_flag("--trace", command.trace,
                 "also say which rules are active, each rewriting, and what "
                 "each symbol did or why it was not expressed");
@@ -99,8 +98,9 @@ CLI::App* AddRandom(CLI::App& app, RandomCommand& command) {
   add_limit("--max-terms", command.max_terms,
             "most terms a clause, plasticoding only (default 2)");
   sub->add_option("-o,--output", command.output,
-                  "file to write (default: standard output); must not exist")
+                  "file to write (default: standard output)")
       ->option_text("FILE");
+  AddForce(sub, command.force);
   sub->footer(
       "One of --seed and --experiment is required. Several genotypes are named "
       "random_7_1,\nrandom_7_2 and so on, those of an experiment as in its "
@@ -121,9 +121,7 @@ CLI::App* AddRegulate(CLI::App& app, RegulateCommand& command) {
                       "STATE=VALUE,... or the name of an environment of the "
                       "file; may be repeated (default: every environment that "
                       "the file names)")
-          ->option_text("ENVIRONMENT")
-          ->expected(1)
-          ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+          ->option_text("ENVIRONMENT");
   sub->add_flag("--table", command.table,
                 "the truth table of all environments that clauses can tell "
                 "apart, a row each")
@@ -171,6 +169,7 @@ CLI::App* AddSimulate(CLI::App& app, SimulateCommand& command) {
                   "also draw the path of each season seen from above, with the "
                   "body at the start and at the end")
       ->option_text("FILE");
+  AddForce(sub, command.force);
   sub->footer(
       "In every season the robot senses, develops for what it senses, lives "
       "and is\nmeasured: Speed in cm/s uphill (the robot's front), Balance 0 "
@@ -179,8 +178,7 @@ CLI::App* AddSimulate(CLI::App& app, SimulateCommand& command) {
       "tells when and why the robot\nchanged. Seasons start afresh at the "
       "origin, or are one life (lives: continuous).\n"
       "On a terminal a line shows how far a long life is. Ctrl-C ends it: what "
-      "was lived\nis written, and the exit status is 130. Files that exist are "
-      "replaced.\n\n"
+      "was lived\nis written, and the exit status is 130.\n\n"
       "  plsc simulate examples/gecko.pls\n"
       "  plsc simulate examples/gecko.pls --descriptors\n"
       "  plsc simulate robot.pls --scenario hot.yaml --format json\n"
@@ -198,8 +196,9 @@ CLI::App* AddTest(CLI::App& app, TestCommand& command) {
   sub->add_flag("--update", command.update,
                 "record what was found as expected, where that differs");
   sub->add_option("--jobs", command.jobs,
-                  "threads (default: one a core); changes no result")
-      ->check(CLI::Range(1, 1024))
+                  "threads (0 and default: one a core that may be used); "
+                  "changes no result")
+      ->check(CLI::Range(0, 1024))
       ->option_text("N");
   sub->add_option("--format", command.format,
                   "text for people (default); json: a test a line; junit: XML "
@@ -213,6 +212,7 @@ CLI::App* AddTest(CLI::App& app, TestCommand& command) {
   sub->add_option("-o,--output", command.output,
                   "write the report there, and text to standard output")
       ->option_text("FILE");
+  AddForce(sub, command.force);
   sub->footer(
       "Develops every genotype robot.pls in the environments that "
       "robot.golden.json\nbeside it names, and shows modules, nodes, edges, "

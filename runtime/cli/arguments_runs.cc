@@ -30,13 +30,15 @@ void AddResuming(CLI::App* sub, EvolveCommand& command) {
 
 void AddWorkers(CLI::App* sub, EvolveCommand& command) {
   sub->add_option("--jobs", command.jobs,
-                  "worker processes (default: one a core that may be used; "
-                  "under mpirun one a rank); changes no result")
-      ->check(CLI::Range(1, 1024))
+                  "worker processes (0 and default: one a core that may be "
+                  "used; under mpirun of each rank, default one); changes no "
+                  "result")
+      ->check(CLI::Range(0, 1024))
       ->option_text("N");
   sub->add_option("--hang-limit", command.hang_limit,
                   "seconds without an answer after which a worker is replaced "
-                  "(default: 300 and 20 times the simulated time; 0: never)")
+                  "(default: 300 and 20 times what the largest robot takes; "
+                  "0: never)")
       ->check(CLI::NonNegativeNumber)
       ->option_text("SECONDS");
   sub->add_option("--cache", command.cache,
@@ -94,6 +96,9 @@ CLI::App* AddShow(CLI::App& app, ShowCommand& command) {
       ->option_text("N");
   sub->add_flag("--genotype", command.genotype,
                 "print its genotype and nothing else");
+  sub->add_flag("--verify", command.verify,
+                "compare all of the run with its checksums first (about a "
+                "second for 10,000 robots); robots that are shown always are");
   AddFormat(sub, command.format, "one object");
   sub->footer(
       "Works while the run goes on.\n\n"
@@ -113,8 +118,9 @@ CLI::App* AddReplay(CLI::App& app, ReplayCommand& command) {
                   "numbers of robots, or best (default: best)");
   sub->add_flag("--all", command.all, "every robot that was evaluated");
   sub->add_option("--jobs", command.jobs,
-                  "worker processes (default: one a core that may be used)")
-      ->check(CLI::Range(1, 1024))
+                  "worker processes (0 and default: one a core that may be "
+                  "used)")
+      ->check(CLI::Range(0, 1024))
       ->option_text("N");
   AddFormat(sub, command.format, "one object a robot");
   sub->footer(

@@ -38,6 +38,7 @@ CLI::App* AddMan(CLI::App& app, ManCommand& command) {
                   "write all pages there, as plsc.1, plsc-check.1 and so on")
       ->option_text("FOLDER")
       ->excludes(name);
+  AddForce(sub, command.force);
   sub->footer(
       "  plsc man check | man -l -\n"
       "  plsc man --all ~/.local/share/man/man1");

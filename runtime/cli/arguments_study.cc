@@ -65,9 +65,9 @@ CLI::App* AddStudyRun(CLI::App& study, StudyRunCommand& command) {
       ->required();
   AddSlice(sub, command.only, command.shard);
   sub->add_option("--jobs", command.jobs,
-                  "worker processes of a run (default: one a core that may be "
-                  "used); changes no result")
-      ->check(CLI::Range(1, 1024))
+                  "worker processes of a run (0 and default: one a core that "
+                  "may be used); changes no result")
+      ->check(CLI::Range(0, 1024))
       ->option_text("N");
   sub->add_option("--cache", command.cache,
                   "look simulations up in this file first and add new ones to "

@@ -7,9 +7,10 @@
 namespace plsc::cli {
 
 CLI::App* AddCheck(CLI::App& app, CheckCommand& command) {
-  CLI::App* sub =
-      app.add_subcommand("check", "Say whether files are correct genotypes");
-  sub->add_option("FILE", command.files, "genotype files; - is standard input")
+  CLI::App* sub = app.add_subcommand("check", "Say whether files are correct");
+  sub->add_option("FILE", command.files,
+                  "genotypes, experiments, scenarios, studies, golden files, "
+                  "recordings; - is standard input")
       ->required();
   sub->add_option("--format", command.format,
                   "text for people (default); json: one diagnostic a line; "
@@ -42,8 +43,11 @@ CLI::App* AddCheck(CLI::App& app, CheckCommand& command) {
                 "status");
   sub->footer(
       "Prints every error that can be found, with file:line:column, the line, "
-      "a caret\nand what was expected. Exit status 1 if there is any.\n\n"
+      "a caret\nand what was expected. Exit status 1 if there is any. What a "
+      "file is its text\ntells; of an experiment or a study the scenarios that "
+      "it names are checked, too.\n\n"
       "  plsc check robots/*.pls\n"
+      "  plsc check experiment.yaml\n"
       "  plsc check --format json robot.pls | jq .message\n"
       "  plsc check --format github robots/*.pls    in a workflow\n\n"
       "'plsc explain CODE' says more of a code; 'plsc fix' mends what it can.");
@@ -128,10 +132,13 @@ CLI::App* AddLint(CLI::App& app, LintCommand& command) {
       "develops there:\nclauses that are always true or never (W3002), "
       "environments in which no rule of a\nsymbol is active (W3003) or several "
       "at once (W3004), strings that would grow too\nlong (W4001), symbols and "
-      "rules that never do anything (W4002). A comment\n'# plsc: allow W3003' "
-      "before an item or behind it silences a warning there,\n'# plsc: "
-      "allow-file W3003' in the whole file. Exit status 0 with warnings, 1 "
-      "with\nerrors or, with --deny, with any warning.\n\n"
+      "rules that never do anything (W4002), commands that\nchange another "
+      "joint "
+      "than the one before them (W4003), rules of C that are read\nseveral "
+      "times in one place (W4004). A comment '# plsc: allow W3003' before an "
+      "item\nor behind it silences a warning there, '# plsc: allow-file W3003' "
+      "in the whole\nfile. Exit status 0 with warnings, 1 with errors or, with "
+      "--deny, with any warning.\n\n"
       "  plsc lint robots/*.pls\n"
       "  plsc lint --deny --format json robot.pls | jq .message");
   return sub;

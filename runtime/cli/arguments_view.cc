@@ -17,6 +17,7 @@ CLI::App* AddView(CLI::App& app, ViewCommand& command) {
   sub->add_option("-o,--output", command.output, "the page to write, HTML")
       ->required()
       ->option_text("FILE");
+  AddForce(sub, command.force);
   CLI::Option* scenario =
       sub->add_option(
              "--scenario", command.scenario,
@@ -35,8 +36,6 @@ CLI::App* AddView(CLI::App& app, ViewCommand& command) {
                   "the name of an environment of the file, of a season of the "
                   "run; may be repeated (default: all of them)")
       ->option_text("ENVIRONMENT")
-      ->expected(1)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
       ->needs(explain);
   sub->add_flag("--allow-range", command.allow_range,
                 "with --explain: arguments outside their range are warnings")
@@ -47,7 +46,7 @@ CLI::App* AddView(CLI::App& app, ViewCommand& command) {
       "by mouse, touch or keys;\nseasons on the time line, what changed "
       "between them, joint angles and touch as\nplots. Robots of runs live the "
       "stored scenario again, as plsc replay does; it warns\nwhere that comes "
-      "out otherwise. A file that exists is replaced.\n\n"
+      "out otherwise.\n\n"
       "  plsc view examples/gecko.pls -o gecko.html\n"
       "  plsc view gecko.rec.json snake.rec.json -o both.html\n"
       "  plsc view examples/gecko.pls --scenario examples/life.yaml -o "

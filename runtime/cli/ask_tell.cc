@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "runtime/cli/diagnostic_json.h"
+#include "runtime/formats/json_place.h"
 #include "runtime/formats/json_reader.h"
 #include "runtime/formats/json_text.h"
 #include "runtime/formats/season_json.h"
@@ -64,13 +65,14 @@ Result<EvaluationRequest> ParseEvaluationRequest(const Source& line) {
 }
 
 std::string IdOfRequest(const std::string& line) {
+  if (TooDeepInJson(line)) return "null";
   const auto json = nlohmann::json::parse(line, nullptr, false);
   if (!json.is_object() || !json.contains("id") || !IsId(json["id"]))
     return "null";
   return json["id"].dump();
 }
 
-std::string EvaluationAnswer(const std::string& id, const std::string& genotype,
+std::string EvaluationAnswer(const std::string& id, const Genotype& genotype,
                              const Evaluation& evaluation) {
   Json fitness = Json::object();
   std::string seasons;

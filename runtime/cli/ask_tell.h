@@ -26,7 +26,7 @@ Result<EvaluationRequest> ParseEvaluationRequest(const Source& line);
 std::string IdOfRequest(const std::string& line);
 
 /// {"id", "fitness": {season: m/s or null}, "seasons": [as SeasonJson]}.
-std::string EvaluationAnswer(const std::string& id, const std::string& genotype,
+std::string EvaluationAnswer(const std::string& id, const Genotype& genotype,
                              const Evaluation& evaluation);
 
 /// {"id", "line", "error", "diagnostics": [as DiagnosticJson]}.

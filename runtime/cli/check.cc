@@ -2,12 +2,12 @@
 
 #include <ostream>
 
-#include "compiler/compile.h"
+#include "grammar/shown_line.h"
+#include "runtime/cli/check_file.h"
 #include "runtime/cli/commands.h"
 #include "runtime/cli/diagnostic_json.h"
 #include "runtime/cli/github_annotation.h"
 #include "runtime/cli/sarif.h"
-#include "runtime/lint.h"
 
 namespace plsc::cli {
 
@@ -38,30 +38,8 @@ void Show(const CheckedFile& file, const CheckCommand& command, Io& io) {
   }
 }
 
-// What is wrong with the file, or its contents in one line.
-struct Checked {
-  CheckedFile file;
-  bool is_fine = false;
-};
-
-std::string Contents(const std::vector<MappedProgram>& programs,
-                     const std::string& name) {
-  std::string text;
-  for (const MappedProgram& mapped : programs) {
-    const Program& program = mapped.program;
-    text += fmt::format(
-        "{}: genotype {}, alphabet {}, {} rules, {} states, {} environments",
-        name, program.genotype.name, program.genotype.alphabet->name(),
-        program.genotype.rules.size(), program.genotype.states.size(),
-        program.environments.size());
-    if (!program.tests.empty())
-      text += fmt::format(", {} tests", program.tests.size());
-    text += '\n';
-  }
-  return text;
-}
-
-Checked CheckOne(const std::string& name, const CheckCommand& command, Io& io) {
+FileCheck CheckOne(const std::string& name, const CheckCommand& command,
+                   Io& io) {
   const Result<Source> source = ReadSource(name, io);
   const bool is_text = command.format == CheckFormat::kText;
   if (!source) {
@@ -69,21 +47,16 @@ Checked CheckOne(const std::string& name, const CheckCommand& command, Io& io) {
     const Diagnostic& problem = source.diagnostics()[0];
     CheckedFile file{Source(name, ""), {problem}};
     if (is_text)
-      io.err << fmt::format("error[{}]: {}\n", problem.code, problem.message);
+      io.err << fmt::format("error[{}]: {}\n", problem.code,
+                            Escaped(problem.message));
     else
       Show(file, command, io);
-    return {std::move(file), false};
+    return {{std::move(file)}, false, ""};
   }
-  CompileOptions options;
-  options.allow_out_of_range = command.allow_range;
-  const auto compiled = CompileAllWithMap(*source, options);
-  CheckedFile file{*source, compiled.diagnostics()};
-  if (compiled && command.lint)
-    for (Diagnostic& warning : Lint(*compiled, *source))
-      file.diagnostics.push_back(std::move(warning));
-  Show(file, command, io);
-  if (compiled && is_text) io.out << Contents(*compiled, source->name());
-  return {std::move(file), static_cast<bool>(compiled)};
+  FileCheck check = CheckFile(*source, command, io);
+  for (const CheckedFile& file : check.findings) Show(file, command, io);
+  if (is_text) io.out << check.contents;
+  return check;
 }
 
 }  // namespace
@@ -93,10 +66,11 @@ Exit Run(const CheckCommand& command, Io& io) {
   std::vector<CheckedFile> files;  // of SARIF only: there may be thousands
   bool all_fine = true;
   for (const std::string& name : command.files) {
-    Checked checked = CheckOne(name, command, io);
-    all_fine = checked.is_fine && all_fine;
-    if (is_sarif && !checked.file.diagnostics.empty())
-      files.push_back(std::move(checked.file));
+    FileCheck check = CheckOne(name, command, io);
+    all_fine = check.is_fine && all_fine;
+    if (!is_sarif) continue;
+    for (CheckedFile& file : check.findings)
+      if (!file.diagnostics.empty()) files.push_back(std::move(file));
   }
   if (is_sarif) io.out << Sarif(files);
   return all_fine ? Exit::kFine : Exit::kBadInput;

@@ -28,6 +28,7 @@ struct OptionDescription {
   std::vector<std::string> choices;
   bool is_required = false;
   bool is_repeated = false;
+  int values_at_once = 0;  ///< of a named option: at most, each time
 };
 
 struct CommandDescription {

@@ -59,7 +59,7 @@ struct ExportCommand {
   /// Of --jsonl or --to; empty: standard output. A folder if there are several
   /// environments.
   std::string output;
-  bool force = false;  ///< overwrites files
+  bool force = false;  ///< as Output::force
 };
 
 struct FixCommand {
@@ -98,6 +98,7 @@ struct CrossCommand {
   int count = 1;
   std::string experiment;  ///< empty: the paper's
   std::string output;      ///< empty: standard output
+  bool force = false;      ///< as Output::force
   OutputFormat format = OutputFormat::kText;
   bool allow_range = false;
 };
@@ -107,6 +108,7 @@ struct DevelopCommand {
   std::vector<std::string> environments;  ///< "a=True,b=False" or a name
   OutputFormat format = OutputFormat::kText;
   std::string svg_folder;  ///< empty: none
+  bool force = false;      ///< as Output::force
   bool trace = false;
   bool allow_range = false;
 };
@@ -131,6 +133,7 @@ struct DrawCommand {
   bool brain = false;
   ColourBy colour = ColourBy::kType;
   std::string output;  ///< an .svg or .png; empty: the terminal
+  bool force = false;  ///< as Output::force
   double scale = 2;    ///< pixels of a PNG per px of the SVG
   bool terminal = false;
   bool allow_range = false;
@@ -151,6 +154,7 @@ struct ImportCommand {
   std::string name;                  ///< of the genotype; empty: the file's
   std::vector<std::string> renames;  ///< "hill=inclined"
   std::string output;                ///< empty: standard output
+  bool force = false;                ///< as Output::force
   bool unjoin = false;
   bool allow_range = false;
 };
@@ -167,6 +171,7 @@ struct MergeCommand {
   std::string ours;
   std::string theirs;
   std::string output;               ///< empty: standard output
+  bool force = false;               ///< as Output::force
   bool write_ours = false;          ///< instead
   bool is_driver = false;           ///< likewise, as git wants it
   int marker_size = 7;              ///< characters of a conflict marker
@@ -178,6 +183,7 @@ struct MergeCommand {
 struct ManCommand {
   std::vector<std::string> command;  ///< "study", "run"; empty: plsc itself
   std::string all;                   ///< a folder for all pages; empty: none
+  bool force = false;                ///< as Output::force
 };
 
 struct MutateCommand {
@@ -186,6 +192,7 @@ struct MutateCommand {
   int count = 1;
   std::string experiment;  ///< empty: the paper's
   std::string output;      ///< empty: standard output
+  bool force = false;      ///< as Output::force
   OutputFormat format = OutputFormat::kText;
   bool allow_range = false;
 };
@@ -213,6 +220,7 @@ struct SimulateCommand {
   bool descriptors = false;       ///< all of them, text format only
   std::string record;             ///< a file; empty: none
   std::string svg;                ///< likewise
+  bool force = false;             ///< as Output::force
 };
 
 struct EvolveCommand {
@@ -236,6 +244,7 @@ struct ShowCommand {
   std::string individual;  ///< an id or "best"; empty: the run as a whole
   int lineage = 3;         ///< births back
   bool genotype = false;   ///< its text and nothing else
+  bool verify = false;     ///< all of the run
   OutputFormat format = OutputFormat::kText;
 };
 
@@ -257,6 +266,7 @@ struct RandomCommand {
   int max_rules = 2;
   int max_terms = 2;
   std::string output;  ///< empty: standard output
+  bool force = false;  ///< as Output::force
 };
 
 struct StatsCommand {
@@ -270,6 +280,7 @@ struct TrimCommand {
   std::string file;
   bool write = false;  ///< in place
   std::string output;  ///< empty: standard output, unless `write`
+  bool force = false;  ///< as Output::force
   bool check = false;
   std::string scenario;  ///< empty: every environment counts
   OutputFormat format = OutputFormat::kText;
@@ -281,6 +292,7 @@ struct ViewCommand {
   /// "best") of those of its robots that are meant.
   std::vector<std::string> inputs;
   std::string output;    ///< the page
+  bool force = false;    ///< as Output::force
   std::string scenario;  ///< of genotypes; empty: the paper's
   bool explain = false;  ///< the page of development instead, of genotypes
   std::vector<std::string> environments;  ///< of `explain`, as DevelopCommand's
@@ -303,8 +315,10 @@ enum class ReportFormat : std::uint8_t { kHtml, kJson };
 struct ReportCommand {
   std::vector<std::string> paths;  ///< folders of studies, runs
   std::string output;              ///< empty: standard output, kJson only
+  bool force = false;              ///< as Output::force
   std::string measures = "paper";
   ReportFormat format = ReportFormat::kHtml;
+  bool verify = false;
   bool quiet = false;
 };
 
@@ -339,6 +353,7 @@ struct TestCommand {
   std::optional<int> jobs;
   TestFormat format = TestFormat::kText;
   std::string output;  ///< empty: standard output
+  bool force = false;  ///< as Output::force
 };
 
 /// What the command line already answered: help, version, or a usage error.
@@ -359,6 +374,11 @@ using Command = std::variant<
 
 /// `arguments` without the program's name.
 Command ParseArguments(const std::vector<std::string>& arguments);
+
+/// Of a command line that failed: a word that its writer may have meant as one
+/// more value of an option, which takes one each time; how to write that.
+/// Empty: there is none.
+std::string AdviceOnValues(const std::vector<std::string>& arguments);
 
 Exit Run(const Answer& answer, Io& io);
 Exit Run(const CheckCommand& command, Io& io);

@@ -46,7 +46,7 @@ OneChild CrossOne(const Program& first, const Genotype& second,
                    ? "no rules of the second parent"
                    : fmt::format("rules of {} from the second parent",
                                  fmt::join(from_second, ", "));
-  child.what = {{"seed", key.seed},
+  child.what = {{"seed", std::to_string(key.seed)},
                 {"generation", key.generation},
                 {"individual", key.individual},
                 {"from_second", from_second}};
@@ -56,10 +56,13 @@ OneChild CrossOne(const Program& first, const Genotype& second,
 }  // namespace
 
 Exit Run(const CrossCommand& command, Io& io) {
-  const std::vector<std::string> inputs = {
-      SplitGenotypePath(command.first).file,
-      SplitGenotypePath(command.second).file, command.experiment};
-  if (!CanWrite(command.output, inputs, io)) return Exit::kBadInput;
+  const Output output{
+      command.output,
+      ChildrenKind(command.format),
+      command.force,
+      {SplitGenotypePath(command.first).file,
+       SplitGenotypePath(command.second).file, command.experiment}};
+  if (!CanWrite(output, io)) return Exit::kBadInput;
   const auto first = LoadProgram(command.first, command.allow_range, io);
   const auto second = LoadProgram(command.second, command.allow_range, io);
   if (!first || !second) return Exit::kBadInput;
@@ -89,9 +92,8 @@ Exit Run(const CrossCommand& command, Io& io) {
                           command.second, broken.front());
     return Exit::kBadInput;
   }
-  const bool is_delivered =
-      DeliverChildren(std::move(children), command.output, command.format, io);
-  return is_delivered ? Exit::kFine : Exit::kBadInput;
+  return DeliverChildren(std::move(children), output, io) ? Exit::kFine
+                                                          : Exit::kBadInput;
 }
 
 }  // namespace plsc::cli

@@ -6,7 +6,9 @@
 #include <ostream>
 
 #include "compiler/print.h"
+#include "grammar/shown_line.h"
 #include "runtime/cli/commands.h"
+#include "runtime/cli/output_path.h"
 #include "runtime/cli/program.h"
 #include "runtime/derive.h"
 #include "runtime/descriptors.h"
@@ -80,7 +82,7 @@ void PrintText(const Genotype& genotype, const NamedEnvironment& named,
                const Developed& developed, std::ostream& out) {
   const std::string senses =
       PrintEnvironment(named.environment, genotype.states);
-  out << fmt::format("{} in {}", genotype.name, named.name);
+  out << fmt::format("{} in {}", genotype.name, Escaped(named.name));
   if (!senses.empty() && senses != named.name) out << " (" << senses << ")";
   out << fmt::format(": {} of {} rules active, {} symbols\n",
                      developed.active.rules.size(), genotype.rules.size(),
@@ -97,20 +99,33 @@ std::string FileName(const std::string& genotype,
   return name + ".svg";
 }
 
+Output PictureOf(const DevelopCommand& command, const Genotype& genotype,
+                 const NamedEnvironment& named) {
+  const std::filesystem::path folder = command.svg_folder;
+  return {(folder / FileName(genotype.name, named.name)).string(),
+          OutputKind::kSvg,
+          command.force,
+          {SplitGenotypePath(command.file).file}};
+}
+
+bool CanWriteAll(const DevelopCommand& command, const Genotype& genotype,
+                 const std::vector<NamedEnvironment>& environments, Io& io) {
+  if (command.svg_folder.empty()) return true;
+  return MakeFolder(command.svg_folder, io) &&
+         std::all_of(environments.begin(), environments.end(),
+                     [&](const NamedEnvironment& named) {
+                       return CanWrite(PictureOf(command, genotype, named), io);
+                     });
+}
+
 bool WriteSvg(const DevelopCommand& command, const Genotype& genotype,
               const NamedEnvironment& named, const Body& body, Io& io) {
-  std::error_code error;
-  std::filesystem::create_directories(command.svg_folder, error);
-  const std::string path = (std::filesystem::path(command.svg_folder) /
-                            FileName(genotype.name, named.name))
-                               .string();
-  const auto failure =
-      WriteFile(path, BodySvg(body, genotype.name + ", " + named.name));
-  if (failure)
-    io.err << fmt::format("error: cannot write '{}': {}\n", path, *failure);
-  else
-    io.err << fmt::format("wrote {}\n", path);
-  return !failure;
+  const Output output = PictureOf(command, genotype, named);
+  if (!WriteOutput(output, BodySvg(body, genotype.name + ", " + named.name),
+                   io))
+    return false;
+  io.err << fmt::format("wrote {}\n", output.path);
+  return true;
 }
 
 std::string JsonText(const Genotype& genotype, const Environment& environment,
@@ -171,6 +186,8 @@ Exit Run(const DevelopCommand& command, Io& io) {
   const auto environments =
       ChooseEnvironments(program, command.environments, io);
   if (!environments) return Exit::kBadUsage;
+  if (!CanWriteAll(command, genotype, *environments, io))
+    return Exit::kBadInput;
 
   for (const NamedEnvironment& named : *environments) {
     const auto developed = DevelopIn(genotype, named.environment);

@@ -6,6 +6,7 @@
 
 #include "compiler/compile.h"
 #include "compiler/written_difference.h"
+#include "grammar/shown_line.h"
 #include "runtime/cli/commands.h"
 #include "runtime/cli/program.h"
 #include "runtime/environment.h"
@@ -52,7 +53,8 @@ std::optional<Version> ReadVersion(const std::string& path,
     source = Source(git_name, std::string(source->text()));
   if (!source) {
     const Diagnostic& problem = source.diagnostics()[0];
-    io.err << fmt::format("error[{}]: {}\n", problem.code, problem.message);
+    io.err << fmt::format("error[{}]: {}\n", problem.code,
+                          Escaped(problem.message));
     return std::nullopt;
   }
   CompileOptions options;

@@ -5,11 +5,13 @@
 #include <set>
 
 #include "compiler/print.h"
+#include "grammar/shown_line.h"
 #include "runtime/brain_difference.h"
 #include "runtime/cli/commands.h"
 #include "runtime/cli/open_run.h"
 #include "runtime/cli/output_path.h"
 #include "runtime/cli/png.h"
+#include "runtime/cli/program.h"
 #include "runtime/cli/robot_source.h"
 #include "runtime/formats/bodies_svg.h"
 #include "runtime/formats/body_text.h"
@@ -122,7 +124,7 @@ std::string DifferenceText(const std::vector<DrawnBody>& bodies) {
     signs.marks.insert(difference.marks.begin(), difference.marks.end());
     signs.has_missing |= !difference.missing.empty();
   }
-  return SignText(signs, bodies.front().name);
+  return SignText(signs, Escaped(bodies.front().name));
 }
 
 std::string DifferenceText(const std::vector<DrawnBrain>& brains) {
@@ -134,7 +136,7 @@ std::string DifferenceText(const std::vector<DrawnBrain>& brains) {
     signs.marks.insert(difference.edges.begin(), difference.edges.end());
     signs.has_missing |= difference.has_missing();
   }
-  return SignText(signs, brains.front().name);
+  return SignText(signs, Escaped(brains.front().name));
 }
 
 std::string TerminalText(const DrawCommand& command, const RobotFound& robot,
@@ -145,7 +147,7 @@ std::string TerminalText(const DrawCommand& command, const RobotFound& robot,
   std::vector<std::string> blocks;
   for (std::size_t i = 0; i < grown.bodies.size(); ++i) {
     const DrawnBody& drawn = grown.bodies[i];
-    std::string text = drawn.name + '\n';
+    std::string text = Escaped(drawn.name) + '\n';
     if (!drawn.senses.empty()) text += drawn.senses + '\n';
     if (command.brain)
       text += i == 0 ? BrainText(grown.brains[i].phenotype)
@@ -162,20 +164,23 @@ std::string TerminalText(const DrawCommand& command, const RobotFound& robot,
                         : DifferenceText(grown.bodies));
 }
 
+Output OutputOf(const DrawCommand& command) {
+  return {
+      command.output,
+      command.output.ends_with(".png") ? OutputKind::kPng : OutputKind::kSvg,
+      command.force,
+      {SplitGenotypePath(command.file).file}};
+}
+
 Exit WritePicture(const DrawCommand& command, const std::string& svg, Io& io) {
   std::string bytes = svg;
   if (command.output.ends_with(".png")) {
     Loaded<std::string> png = PngOf(svg, command.scale);
     if (!png) return Complain(png.failure(), io);
-    bytes = std::move(*png);
+    bytes = MarkedPng(*png);
   }
-  if (command.output == kStandardOutput) {
-    io.out << bytes;
-    return Exit::kFine;
-  }
-  if (const auto failure = WriteFile(command.output, bytes))
-    return Complain(
-        fmt::format("cannot write '{}': {}", command.output, *failure), io);
+  if (!WriteOutput(OutputOf(command), bytes, io)) return Exit::kBadInput;
+  if (command.output == kStandardOutput) return Exit::kFine;
   io.err << fmt::format("wrote {}\n", command.output);
   return Exit::kFine;
 }
@@ -183,14 +188,12 @@ Exit WritePicture(const DrawCommand& command, const std::string& svg, Io& io) {
 }  // namespace
 
 Exit Run(const DrawCommand& command, Io& io) {
-  const bool prints = command.output == kStandardOutput;
-  if (prints && command.terminal) {
+  if (command.output == kStandardOutput && command.terminal) {
     io.err << "plsc: --terminal and -o - would both print\n"
               "see 'plsc draw --help'\n";
     return Exit::kBadUsage;
   }
-  if (!prints && !CanWrite(command.output, {command.file}, io))
-    return Exit::kBadInput;
+  if (!CanWrite(OutputOf(command), io)) return Exit::kBadInput;
   const auto found = FindRobot({command.file, command.individual,
                                 command.environments, command.allow_range},
                                io);

@@ -36,7 +36,7 @@ Work EvaluationWork(const Scenario& scenario) {
     const Result<Program> program =
         Compile(Source("<worker>", request.substr(end + 1)), options);
     assert(program);
-    return EvaluationAnswer(request.substr(0, end), program->genotype.name,
+    return EvaluationAnswer(request.substr(0, end), program->genotype,
                             Evaluate(program->genotype, scenario));
   };
 }

@@ -11,6 +11,7 @@
 #include "runtime/cli/robot_text.h"
 #include "runtime/cli/run_experiment.h"
 #include "runtime/evolve/judge.h"
+#include "runtime/formats/json_dump.h"
 
 namespace plsc::cli {
 
@@ -21,7 +22,7 @@ void PrintJson(const EvolveCommand& command, const RunOutcome& outcome,
   const auto& [exit, is_locked, experiment, result, effort] = outcome;
   nlohmann::ordered_json json;
   json["experiment"] = experiment.name;
-  json["seed"] = experiment.seed;
+  json["seed"] = std::to_string(experiment.seed);
   json["finished"] = result.ending == Ending::kFinished;
   json["generations"] = result.generations;
   json["evaluations"] = result.evaluations;
@@ -43,7 +44,7 @@ void PrintJson(const EvolveCommand& command, const RunOutcome& outcome,
           season.fitness ? nlohmann::ordered_json(*season.fitness)
                          : nlohmann::ordered_json(nullptr);
   }
-  out << json.dump() << '\n';
+  out << DumpJson(json) << '\n';
 }
 
 void PrintEffort(const Effort& effort, Io& io) {

@@ -85,6 +85,15 @@ rule C -> { C }
 alphabet plasticoding 1
 rule C -> { C }
 )"},
+    {"W2005", ExampleKind::kCommand,
+     R"(An environment on the command line gives a value to a state that the
+genotype does not declare. The value is ignored: an environment may have
+more to it than one robot senses. Often the name is misspelt.
+)",
+     R"(plsc regulate robot.pls --env cold=True
+)",
+     R"(plsc regulate robot.pls
+)"},
     {"W3002", ExampleKind::kGenotype,
      R"(The clause has the same truth value in every environment. A rule that is
 always active is clearer without a clause; one that is never active does
@@ -143,8 +152,9 @@ rule C -> if hot = False then { C add_right B }
 )"},
     {"W3005", ExampleKind::kLint,
      R"(The clauses ask about so many states that there are too many environments
-to look at (more than 65,536), so the lints that look at all of them were
-left out. The genotype is correct.
+to look at (more than 65,536), or the strings that develop in them are too
+long together, so the lints that look at all of them were left out. The
+genotype is correct.
 )",
      R"(plsc 1
 alphabet plasticoding 1
@@ -209,6 +219,44 @@ rule C -> { C B add_left B }
 alphabet plasticoding 1
 iterations 1
 rule C -> { C add_left B }
+)"},
+    {"W4003", ExampleKind::kLint,
+     R"(A controller command acts on the newest joint that was mounted. Where the
+joint right before it is not mounted, because max_modules is reached or
+its place is taken, the command changes an older joint.
+)",
+     R"(plsc 1
+alphabet plasticoding 1
+iterations 1
+rule C -> {
+  C add_left A1(0.5, 2, 3, 1) mutate_per(1) add_left A1(0.5, 2, 3, 1)
+  # plsc: allow W4002
+  mutate_per(1)
+}
+)",
+     R"(plsc 1
+alphabet plasticoding 1
+iterations 1
+rule C -> {
+  C add_left A1(0.5, 2, 3, 1) mutate_per(1) add_right A1(0.5, 2, 3, 1)
+  mutate_per(1)
+}
+)"},
+    {"W4004", ExampleKind::kLint,
+     R"(Each rewriting puts the production of C in front once more, so that with
+'iterations 2' it is read twice. Where the first reading ends on the core,
+the second finds every place taken. Often 'iterations 1' is meant; a rule
+that ends with a move outward is read on from there.
+)",
+     R"(plsc 1
+alphabet plasticoding 1
+iterations 2
+rule C -> { C add_left B }
+)",
+     R"(plsc 1
+alphabet plasticoding 1
+iterations 2
+rule C -> { C add_front B move_front }
 )"},
 };
 

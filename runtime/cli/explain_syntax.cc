@@ -241,6 +241,20 @@ axiom C
 alphabet plasticoding 1
 axiom C
 )"},
+    {"P1119", ExampleKind::kGenotype,
+     R"(A character that looks like one of plsc, or cannot be seen: a minus sign,
+a curly quote or a no-break space that a word processor or a page has put
+in place of '-', '"' or a blank, a letter of another alphabet, a zero width
+space. 'plsc fix' replaces them.
+)",
+     R"(plsc 1
+alphabet plasticoding 1
+let x = −0.5
+)",
+     R"(plsc 1
+alphabet plasticoding 1
+let x = -0.5
+)"},
 };
 
 }  // namespace

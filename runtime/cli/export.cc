@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <filesystem>
@@ -12,6 +13,7 @@
 #include "runtime/cli/commands.h"
 #include "runtime/cli/export_robot.h"
 #include "runtime/cli/open_run.h"
+#include "runtime/cli/output_path.h"
 
 namespace plsc::cli {
 
@@ -23,19 +25,22 @@ std::string SystemReason(int error) {
   return std::error_code(error, std::generic_category()).message();
 }
 
-/// A file that takes its name when it is written to its end. Of the C library,
-/// whose functions say why they failed.
+/// A file that takes its name when it is written to its end; a pipe or a device
+/// is written into. Of the C library, whose functions say why they failed.
 class NewFile {
  public:
   explicit NewFile(std::string path)
-      : path_(std::move(path)),
-        beside_(path_ + ".new"),
-        file_(std::fopen(beside_.c_str(), "wb")),
-        error_(file_ != nullptr ? 0 : errno) {}
+      : path_(RealPath(path)),
+        beside_(IsWrittenInto(path_) ? "" : NeighbourOf(path_)),
+        // Exclusive: what has the neighbour's name is not ours.
+        file_(beside_.empty() ? std::fopen(path_.c_str(), "abe")
+                              : std::fopen(beside_.c_str(), "wbxe")),
+        error_(file_ != nullptr ? 0 : errno),
+        is_made_(file_ != nullptr && !beside_.empty()) {}
   ~NewFile() {
     if (file_ != nullptr) std::fclose(file_);
     std::error_code ignored;
-    if (!is_done_) std::filesystem::remove(beside_, ignored);
+    if (is_made_ && !is_done_) std::filesystem::remove(beside_, ignored);
   }
   NewFile(const NewFile&) = delete;
   NewFile& operator=(const NewFile&) = delete;
@@ -50,7 +55,8 @@ class NewFile {
     // Closing writes what is buffered, and may fail as writing does.
     if (error_ == 0 && std::fclose(std::exchange(file_, nullptr)) != 0)
       error_ = errno;
-    if (error_ == 0 && std::rename(beside_.c_str(), path_.c_str()) != 0)
+    if (error_ == 0 && is_made_ &&
+        std::rename(beside_.c_str(), path_.c_str()) != 0)
       error_ = errno;
     is_done_ = error_ == 0;
     return Check();
@@ -66,13 +72,9 @@ class NewFile {
   std::string beside_;
   std::FILE* file_;
   int error_;
+  bool is_made_;  // the neighbour
   bool is_done_ = false;
 };
-
-Failure CheckFree(const std::string& path, bool force) {
-  if (force || !std::filesystem::exists(path)) return std::nullopt;
-  return fmt::format("'{}' exists; --force overwrites it", path);
-}
 
 /// What could be read of a damaged run is a file, too.
 template <typename Writer>
@@ -89,38 +91,46 @@ Failure WriteFileWith(const std::string& path, const Writer& write) {
   return failure ? failure : unfinished;
 }
 
-Failure ExportTables(const ExportCommand& command) {
+Output TableOf(const ExportCommand& command, const CsvTable& table) {
   const std::filesystem::path folder = command.csv_folder;
-  const auto path_of = [&](const CsvTable& table) {
-    return (folder / (table.name + ".csv")).string();
-  };
-  for (const CsvTable& table : CsvTables())
-    if (Failure failure = CheckFree(path_of(table), command.force))
-      return failure;
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error)
-    return fmt::format("cannot create '{}': {}", command.csv_folder,
-                       error.message());
-  Failure first;
+  return {(folder / (table.name + ".csv")).string(),
+          OutputKind::kTable,
+          command.force,
+          {command.file}};
+}
+
+bool CanWriteAll(const ExportCommand& command, Io& io) {
+  if (command.jsonl)
+    return CanWrite(
+        {command.output, OutputKind::kRunLines, command.force, {command.file}},
+        io);
+  return MakeFolder(command.csv_folder, io) &&
+         std::all_of(CsvTables().begin(), CsvTables().end(),
+                     [&](const CsvTable& table) {
+                       return CanWrite(TableOf(command, table), io);
+                     });
+}
+
+Failure ExportTables(const ExportCommand& command) {
+  CsvExport run;
+  if (Failure failure = run.Open(command.file)) return failure;
+  Failure first = run.damage();
   for (const CsvTable& table : CsvTables()) {
-    Failure failure = WriteFileWith(path_of(table), [&](const Sink& sink) {
-      return WriteCsv(command.file, table, sink);
-    });
+    const std::string path = TableOf(command, table).path;
+    Failure failure = WriteFileWith(
+        path, [&](const Sink& sink) { return run.Write(table, sink); });
     if (failure && !first) first = std::move(failure);
   }
   return first;
 }
 
 Failure ExportLines(const ExportCommand& command, Io& io) {
-  if (command.output.empty())
+  if (command.output.empty() || command.output == "-")
     return WriteJsonl(command.file, [&](std::string_view text) -> Failure {
       io.out << text;
       if (io.out) return std::nullopt;
       return "cannot write to standard output";
     });
-  if (Failure failure = CheckFree(command.output, command.force))
-    return failure;
   return WriteFileWith(command.output, [&](const Sink& sink) {
     return WriteJsonl(command.file, sink);
   });
@@ -142,6 +152,7 @@ Exit Run(const ExportCommand& command, Io& io) {
     if (const Failure failure = store.OpenForReading(command.file))
       return Complain(*failure, io);
   }
+  if (!CanWriteAll(command, io)) return Exit::kBadInput;
   const Failure failure =
       command.jsonl ? ExportLines(command, io) : ExportTables(command);
   return failure ? Complain(*failure, io) : Exit::kFine;

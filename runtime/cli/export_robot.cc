@@ -9,6 +9,7 @@
 #include <system_error>
 #include <utility>
 
+#include "grammar/shown_line.h"
 #include "runtime/cli/open_run.h"
 #include "runtime/cli/output_path.h"
 #include "runtime/cli/program.h"
@@ -51,8 +52,8 @@ void WarnOfOverlaps(const RobotModel& model, Io& io) {
   io.err << fmt::format(
       "warning: in {}, {} pairs of parts overlap, first {} and {}: plsc "
       "simulates no such robot, and other programs push them apart\n",
-      model.environment, overlaps.size(), box_name(first.link_a, first.box_a),
-      box_name(first.link_b, first.box_b));
+      Escaped(model.environment), overlaps.size(),
+      box_name(first.link_a, first.box_a), box_name(first.link_b, first.box_b));
 }
 
 /// Once for all robots: what their files do not say.
@@ -62,7 +63,8 @@ void WarnOfLeftOut(ExportFormat format, const std::vector<RobotModel>& models,
   for (const RobotModel& model : models) {
     const std::string left_out = LeftOut(format, model);
     if (!left_out.empty())
-      parts.push_back(fmt::format("in {} {}", model.environment, left_out));
+      parts.push_back(
+          fmt::format("in {} {}", Escaped(model.environment), left_out));
   }
   if (parts.empty()) return;
   io.err << fmt::format(
@@ -105,7 +107,8 @@ bool AsksFolder(const std::string& path) {
 Exit AskForOne(const std::vector<RobotModel>& models, Io& io) {
   std::vector<std::string> names;
   names.reserve(models.size());
-  for (const RobotModel& model : models) names.push_back(model.environment);
+  for (const RobotModel& model : models)
+    names.push_back(Escaped(model.environment));
   io.err << fmt::format(
       "plsc: {} robots, a file each (in {}); choose one with --env, or name a "
       "folder with -o\nsee 'plsc export --help'\n",
@@ -131,26 +134,21 @@ bool CanFill(const std::string& folder, Io& io) {
   return problem == nullptr;
 }
 
-bool CanWriteAll(const std::vector<RobotFile>& files,
-                 const ExportCommand& command, Io& io) {
-  for (const RobotFile& file : files) {
-    std::error_code error;
-    if (!CanWrite(file.path, {SplitGenotypePath(command.file).file}, io))
-      return false;
-    if (command.force || !fs::exists(file.path, error)) continue;
-    io.err << fmt::format("error: '{}' exists; --force overwrites it\n",
-                          file.path);
-    return false;
-  }
-  return true;
+Output OutputOf(const ExportCommand& command, const std::string& path) {
+  return {path,
+          OutputKind::kRobot,
+          command.force,
+          {SplitGenotypePath(command.file).file}};
 }
 
-Exit WriteAll(const std::vector<RobotFile>& files, Io& io) {
+Exit WriteAll(const std::vector<RobotFile>& files, const ExportCommand& command,
+              Io& io) {
+  for (const RobotFile& file : files)
+    if (!CanWrite(OutputOf(command, file.path), io)) return Exit::kBadInput;
   for (const RobotFile& file : files) {
-    if (const auto failure = WriteFile(file.path, file.text))
-      return Complain(fmt::format("cannot write '{}': {}", file.path, *failure),
-                      io);
-    io.err << fmt::format("wrote {}\n", file.path);
+    if (!WriteOutput(OutputOf(command, file.path), file.text, io))
+      return Exit::kBadInput;
+    io.err << fmt::format("wrote {}\n", Escaped(file.path));
   }
   return Exit::kFine;
 }
@@ -176,8 +174,7 @@ Exit FillFolder(const ExportCommand& command,
     return Complain(fmt::format("cannot make the folder '{}': {}",
                                 command.output, error.message()),
                     io);
-  if (!CanWriteAll(files, command, io)) return Exit::kBadInput;
-  return WriteAll(files, io);
+  return WriteAll(files, command, io);
 }
 
 }  // namespace
@@ -194,8 +191,7 @@ std::string ExportedName(const RobotModel& model, ExportFormat format,
 
 Exit ExportRobots(const ExportCommand& command, Io& io) {
   const bool asks_folder = AsksFolder(command.output);
-  if (!asks_folder &&
-      !CanWrite(command.output, {SplitGenotypePath(command.file).file}, io))
+  if (!asks_folder && !CanWrite(OutputOf(command, command.output), io))
     return Exit::kBadInput;
   if (!command.prefix.empty() && !HasNames(*command.to)) {
     io.err << fmt::format(
@@ -224,8 +220,7 @@ Exit ExportRobots(const ExportCommand& command, Io& io) {
     return Exit::kFine;
   }
   const std::vector<RobotFile> files = {{command.output, text}};
-  return CanWriteAll(files, command, io) ? WriteAll(files, io)
-                                         : Exit::kBadInput;
+  return WriteAll(files, command, io);
 }
 
 }  // namespace plsc::cli

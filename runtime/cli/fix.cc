@@ -23,9 +23,10 @@ std::string Quoted(const std::string& text) {
 }
 
 std::string Describe(const MadeFix& fix) {
-  if (fix.removed.empty()) return "inserted " + Quoted(fix.replacement);
-  if (fix.replacement.empty()) return "removed " + Quoted(fix.removed);
-  return Quoted(fix.removed) + " -> " + Quoted(fix.replacement);
+  const std::string note = fix.note.empty() ? "" : " (" + fix.note + ")";
+  if (fix.removed.empty()) return "inserted " + Quoted(fix.replacement) + note;
+  if (fix.replacement.empty()) return "removed " + Quoted(fix.removed) + note;
+  return Quoted(fix.removed) + " -> " + Quoted(fix.replacement) + note;
 }
 
 bool HasErrors(const std::vector<Diagnostic>& diagnostics) {
@@ -59,7 +60,7 @@ bool FixOne(const std::string& file, const FixCommand& command, Io& io) {
   const Result<Source> source = ReadSource(file, io);
   if (!source) {
     io.err << fmt::format("error[{}]: {}\n", source.diagnostics()[0].code,
-                          source.diagnostics()[0].message);
+                          Escaped(source.diagnostics()[0].message));
     return false;
   }
   CompileOptions options;
@@ -70,7 +71,7 @@ bool FixOne(const std::string& file, const FixCommand& command, Io& io) {
     io.out << UnifiedDiff(source->text(), mended.text, source->name(),
                           source->name() + " (mended)");
   for (const MadeFix& fix : mended.made)
-    io.err << fmt::format("{}:{}:{}: {} [{}]: {}\n", source->name(),
+    io.err << fmt::format("{}:{}:{}: {} [{}]: {}\n", Escaped(source->name()),
                           fix.position.line, fix.position.column,
                           IsDryRun(command) ? "would fix" : "fixed", fix.code,
                           Describe(fix));

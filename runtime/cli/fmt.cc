@@ -3,6 +3,7 @@
 #include <ostream>
 
 #include "compiler/format.h"
+#include "grammar/shown_line.h"
 #include "runtime/cli/commands.h"
 #include "runtime/formats/unified_diff.h"
 
@@ -15,7 +16,7 @@ bool FormatOne(const std::string& file, const FmtCommand& command, Io& io) {
   const Result<Source> source = ReadSource(file, io);
   if (!source) {
     io.err << fmt::format("error[{}]: {}\n", source.diagnostics()[0].code,
-                          source.diagnostics()[0].message);
+                          Escaped(source.diagnostics()[0].message));
     return false;
   }
   FormatOptions options;
@@ -23,12 +24,12 @@ bool FormatOne(const std::string& file, const FmtCommand& command, Io& io) {
   const Result<std::string> formatted = Format(*source, options);
   if (!formatted) {
     Report(formatted.diagnostics(), *source, io);
-    io.err << fmt::format("{}: not formatted\n", source->name());
+    io.err << fmt::format("{}: not formatted\n", Escaped(source->name()));
     return false;
   }
   const bool is_same = *formatted == source->text();
   if (command.check) {
-    if (!is_same) io.out << source->name() << '\n';
+    if (!is_same) io.out << Escaped(source->name()) << '\n';
     return is_same;
   }
   if (command.diff) {

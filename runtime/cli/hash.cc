@@ -2,6 +2,7 @@
 
 #include <ostream>
 
+#include "grammar/shown_line.h"
 #include "runtime/cli/commands.h"
 #include "runtime/cli/program.h"
 #include "runtime/developed.h"
@@ -27,7 +28,7 @@ Exit HashRobots(const LoadedFile& file, std::size_t index,
     }
     io.out << fmt::format("{}  {}@{}\n",
                           Hex(DevelopedKey(program.genotype, *developed)),
-                          PathOf(file, index), named.name);
+                          Escaped(PathOf(file, index)), named.name);
   }
   return Exit::kFine;
 }
@@ -43,7 +44,7 @@ Exit HashFile(const std::string& path, const HashCommand& command, Io& io) {
     }
     io.out << fmt::format("{}  {}\n",
                           Hex(GenotypeKey(file->all[index].program.genotype)),
-                          PathOf(*file, index));
+                          Escaped(PathOf(*file, index)));
   }
   return Exit::kFine;
 }

@@ -8,6 +8,7 @@
 #include "compiler/compile.h"
 #include "compiler/print.h"
 #include "grammar/keywords.h"
+#include "grammar/shown_line.h"
 #include "runtime/cli/commands.h"
 #include "runtime/cli/output_path.h"
 #include "runtime/formats/authors_genotype.h"
@@ -58,16 +59,8 @@ std::string Rename(const std::string& text, Genotype* genotype) {
   return "";
 }
 
-bool WriteText(const std::string& text, const ImportCommand& command, Io& io) {
-  if (command.output.empty()) {
-    io.out << text;
-    return true;
-  }
-  const auto failure = WriteFile(command.output, text);
-  if (failure)
-    io.err << fmt::format("error: cannot write '{}': {}\n", command.output,
-                          *failure);
-  return !failure;
+Output OutputOf(const ImportCommand& command) {
+  return {command.output, OutputKind::kGenotype, command.force, {command.file}};
 }
 
 }  // namespace
@@ -78,11 +71,11 @@ Exit Run(const ImportCommand& command, Io& io) {
                           command.name);
     return Exit::kBadUsage;
   }
-  if (!CanWrite(command.output, {command.file}, io)) return Exit::kBadInput;
+  if (!CanWrite(OutputOf(command), io)) return Exit::kBadInput;
   const Result<Source> source = ReadSource(command.file, io);
   if (!source) {
     io.err << fmt::format("error[{}]: {}\n", source.diagnostics()[0].code,
-                          source.diagnostics()[0].message);
+                          Escaped(source.diagnostics()[0].message));
     return Exit::kBadInput;
   }
   ImportOptions options;
@@ -101,8 +94,8 @@ Exit Run(const ImportCommand& command, Io& io) {
     io.err << "plsc: " << problem << '\n';
     return Exit::kBadUsage;
   }
-  return WriteText(Print(*program), command, io) ? Exit::kFine
-                                                 : Exit::kBadInput;
+  return WriteOutput(OutputOf(command), Print(*program), io) ? Exit::kFine
+                                                             : Exit::kBadInput;
 }
 
 }  // namespace plsc::cli

@@ -5,7 +5,9 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
+#include <climits>
 #include <cstring>
 #include <istream>
 #include <iterator>
@@ -83,6 +85,15 @@ bool WriteAll(int descriptor, std::string_view text) {
   return true;
 }
 
+std::optional<std::string> WriteInto(const std::string& path,
+                                     std::string_view text) {
+  const File file(
+      ::open(path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC | O_NOCTTY));
+  if (file.get() < 0 || !WriteAll(file.get(), text))
+    return std::strerror(errno);
+  return std::nullopt;
+}
+
 }  // namespace
 
 bool WantsColor(bool is_terminal, const char* no_color) {
@@ -99,21 +110,49 @@ Result<Source> ReadSource(const std::string& path, Io& io) {
   return ReadWhole(path, file.get());
 }
 
+bool IsDescriptor(const std::string& path) {
+  return path == "/dev/stdout" || path == "/dev/stderr" ||
+         path.starts_with("/dev/fd/") || path.starts_with("/proc/self/fd/");
+}
+
+bool IsWrittenInto(const std::string& path) {
+  struct stat status {};
+  return IsDescriptor(path) ||
+         (::stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode) &&
+          !S_ISDIR(status.st_mode));
+}
+
+std::string NeighbourOf(const std::string& target) {
+  // The process number keeps two writers from sharing a name. The longest names
+  // leave no room for it.
+  constexpr std::size_t kMostKept = 200;
+  const std::size_t slash = target.rfind('/');
+  const std::size_t begin = slash == std::string::npos ? 0 : slash + 1;
+  const std::size_t length = target.size() - begin;
+  if (length > NAME_MAX) return target;  // no name, and told when it is opened
+  return fmt::format("{}.{}.new",
+                     target.substr(0, begin + std::min(length, kMostKept)),
+                     ::getpid());
+}
+
+std::string RealPath(const std::string& path) {
+  char* real = IsDescriptor(path) ? nullptr : ::realpath(path.c_str(), nullptr);
+  if (real == nullptr) return path;
+  std::string target = real;
+  ::free(real);
+  return target;
+}
+
 std::optional<std::string> WriteFile(const std::string& path,
                                      std::string_view text) {
-  // A symbolic link stays one: what it points to is replaced.
-  std::string target = path;
-  if (char* real = ::realpath(path.c_str(), nullptr)) {
-    target = real;
-    ::free(real);
-  }
+  if (IsWrittenInto(path)) return WriteInto(path, text);
+  const std::string target = RealPath(path);
   struct stat status {};
   const bool exists = ::stat(target.c_str(), &status) == 0;
   if (exists && ::access(target.c_str(), W_OK) != 0)
     return std::strerror(errno);
   const mode_t mode = exists ? status.st_mode & 07777 : 0666;
-  // The process number keeps two writers from sharing a neighbour file.
-  const std::string neighbour = fmt::format("{}.{}.new", target, ::getpid());
+  const std::string neighbour = NeighbourOf(target);
   int error = 0;
   {
     const File file(::open(neighbour.c_str(),

@@ -6,10 +6,13 @@
 #include <cerrno>
 #include <chrono>
 #include <ctime>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <system_error>
 
+#include "runtime/cli/io.h"
 #include "runtime/cli/progress.h"
+#include "runtime/formats/json_dump.h"
 
 namespace plsc::cli {
 
@@ -53,6 +56,28 @@ void AddProgress(const Progress& progress, const Pace& pace, Json& json) {
                                {"median", OrNull(season.median)}});
 }
 
+// Lines are added to what is a log or nothing yet, never to another file.
+std::optional<std::string> ProblemOfLog(const std::string& path) {
+  std::error_code error;
+  if (IsDescriptor(path)) return std::nullopt;
+  if (!std::filesystem::exists(path, error)) {
+    if (std::filesystem::is_symlink(path, error))
+      return "it is a symbolic link that leads nowhere";
+    return std::nullopt;
+  }
+  if (!std::filesystem::is_regular_file(path, error) ||
+      std::filesystem::file_size(path, error) == 0)
+    return std::nullopt;
+  constexpr std::string_view kBegin = R"({"event":"start",)";
+  std::string begin(kBegin.size(), '\0');
+  std::ifstream file(path, std::ios::binary);
+  if (file.read(begin.data(), static_cast<std::streamsize>(begin.size())) &&
+      begin == kBegin)
+    return std::nullopt;
+  return "it is no log that `plsc evolve --json-log` began; choose another "
+         "name";
+}
+
 const char* NameOf(Ending ending) {
   switch (ending) {
     case Ending::kFinished:
@@ -77,6 +102,10 @@ std::optional<std::string> JsonLog::Open(const std::string& path) {
     out_ = &standard_output_;
     return std::nullopt;
   }
+  if (const auto problem = ProblemOfLog(path))
+    return fmt::format("cannot write to '{}': {}", path, *problem);
+  std::error_code error;
+  is_new_ = !std::filesystem::exists(path, error);
   errno = 0;
   file_.open(path, std::ios::app);
   if (!file_)
@@ -87,6 +116,14 @@ std::optional<std::string> JsonLog::Open(const std::string& path) {
   return std::nullopt;
 }
 
+void JsonLog::Discard() {
+  out_ = nullptr;
+  if (!file_.is_open()) return;
+  file_.close();
+  std::error_code ignored;
+  if (is_new_) std::filesystem::remove(path_, ignored);
+}
+
 void JsonLog::Start(const JsonLogStart& start) {
   meter_ = PaceMeter(start.evaluations);
   last_.evaluations = start.evaluations;
@@ -95,11 +132,11 @@ void JsonLog::Start(const JsonLogStart& start) {
   json["log"] = 1;  // of this format
   json["run"] = start.run;
   json["experiment"] = start.experiment;
-  json["seed"] = start.seed;
+  json["seed"] = std::to_string(start.seed);
   json["generations"] = start.generations;
   json["evaluations"] = start.evaluations;
   json["total"] = start.total;
-  Write(json.dump());
+  Write(DumpJson(json));
 }
 
 void JsonLog::Show(const Progress& progress) {
@@ -122,7 +159,7 @@ void JsonLog::Tick() {
 void JsonLog::WriteProgress(const char* event, double now) {
   Json json = Begin(event, now);
   AddProgress(last_, meter_.At(now), json);
-  Write(json.dump());
+  Write(DumpJson(json));
   written_at_ = now;
 }
 
@@ -132,7 +169,7 @@ void JsonLog::Finish(Ending ending, const std::string& failure) {
   json["ending"] = NameOf(ending);
   json["failure"] = ending == Ending::kFailed ? Json(failure) : Json(nullptr);
   AddProgress(last_, meter_.At(now), json);
-  Write(json.dump());
+  Write(DumpJson(json));
 }
 
 void JsonLog::Write(const std::string& line) {

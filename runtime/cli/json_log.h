@@ -31,9 +31,13 @@ class JsonLog {
   /// `standard_output` for the path "-".
   explicit JsonLog(std::ostream& standard_output);
 
-  /// Lines are appended to a file that exists, so a run that goes on continues
-  /// its log. What went wrong, as "cannot write to 'x': Permission denied".
+  /// Lines are appended to a log that exists, so a run that goes on continues
+  /// it; to another file nothing is. What went wrong, as "cannot write to 'x':
+  /// Permission denied".
   std::optional<std::string> Open(const std::string& path);
+
+  /// As if it had not been opened: a file that Open made is deleted.
+  void Discard();
 
   void Start(const JsonLogStart& start);
   /// Writes a line when a generation begins, and every 10 s.
@@ -56,6 +60,7 @@ class JsonLog {
   std::ofstream file_;
   std::ostream* out_ = nullptr;  // nullptr: not open
   std::string path_;
+  bool is_new_ = false;  // made by Open
   std::optional<std::string> failure_;
   std::function<double()> clock_;  // s since the log was made
   PaceMeter meter_;

@@ -1,4 +1,5 @@
 #include "runtime/lint.h"
+#include "grammar/shown_line.h"
 
 #include <fmt/format.h>
 
@@ -22,7 +23,8 @@ bool LintOne(const std::string& file, const LintCommand& command, Io& io) {
     if (is_json)
       io.out << DiagnosticJson(problem, Source(file, "")) << '\n';
     else
-      io.err << fmt::format("error[{}]: {}\n", problem.code, problem.message);
+      io.err << fmt::format("error[{}]: {}\n", problem.code,
+                            Escaped(problem.message));
     return false;
   }
   CompileOptions options;
@@ -40,7 +42,7 @@ bool LintOne(const std::string& file, const LintCommand& command, Io& io) {
     Report(diagnostics, *source, io);
   if (!compiled) return false;
   if (!is_json)
-    io.out << fmt::format("{}: {} warning{}\n", source->name(),
+    io.out << fmt::format("{}: {} warning{}\n", Escaped(source->name()),
                           diagnostics.size(),
                           diagnostics.size() == 1 ? "" : "s");
   return diagnostics.empty() || !command.deny;

@@ -4,6 +4,9 @@
 
 #include <filesystem>
 #include <ostream>
+#include <utility>
+
+#include "grammar/shown_line.h"
 
 namespace plsc::cli {
 
@@ -13,60 +16,111 @@ std::optional<Source> Load(const std::string& path, Io& io) {
   Result<Source> source = ReadSource(path, io);
   if (source) return std::move(*source);
   io.err << fmt::format("error[{}]: {}\n", source.diagnostics()[0].code,
-                        source.diagnostics()[0].message);
+                        Escaped(source.diagnostics()[0].message));
   return std::nullopt;
+}
+
+void Tell(const Findings& findings, Io& io) {
+  for (const CheckedFile& file : findings)
+    Report(file.diagnostics, file.source, io);
+}
+
+template <typename T>
+std::optional<T> Noted(Result<T> result, const Source& source,
+                       Findings& findings) {
+  if (!result.diagnostics().empty())
+    findings.push_back({source, result.diagnostics()});
+  if (!result) return std::nullopt;
+  return std::move(*result);
+}
+
+/// Where the text names the file.
+Span PlaceOf(const std::string& file, const Source& source) {
+  const std::size_t at = source.text().find(file);
+  if (at == std::string_view::npos) return {};
+  return {static_cast<std::uint32_t>(at),
+          static_cast<std::uint32_t>(at + file.size())};
 }
 
 /// Puts the scenario of the file that the experiment names into it, and checks
 /// that every season answers every state.
-bool CompleteScenario(Experiment& experiment, const std::string& path, Io& io) {
-  if (!experiment.scenario_file.empty()) {
-    const auto folder = std::filesystem::path(path).parent_path();
-    const auto scenario =
-        LoadScenario((folder / experiment.scenario_file).string(), io);
-    if (!scenario) return false;
-    experiment.scenario = *scenario;
+bool CompleteScenario(Experiment& experiment, const Source& source,
+                      Findings& findings, Io& io) {
+  // One inside the experiment is checked already.
+  if (experiment.scenario_file.empty()) return true;
+  const Span place = PlaceOf(experiment.scenario_file, source);
+  const auto folder = std::filesystem::path(source.name()).parent_path();
+  Result<Source> text =
+      ReadSource((folder / experiment.scenario_file).string(), io);
+  if (!text) {
+    Diagnostic problem = text.diagnostics()[0];
+    problem.span = place;
+    findings.push_back({source, {std::move(problem)}});
+    return false;
   }
-  const std::vector<Diagnostic> problems = CheckSenses(experiment);
-  for (const Diagnostic& problem : problems)
-    io.err << fmt::format("error[{}]: {}\n  = help: {}\n", problem.code,
-                          problem.message, problem.help);
-  return problems.empty();
+  auto scenario = ReadScenarioText(*text, findings);
+  if (!scenario) return false;
+  experiment.scenario = std::move(*scenario);
+  std::vector<Diagnostic> problems = CheckSenses(experiment);
+  if (problems.empty()) return true;
+  for (Diagnostic& problem : problems) problem.span = place;
+  findings.push_back({source, std::move(problems)});
+  return false;
 }
 
 }  // namespace
+
+std::optional<Scenario> ReadScenarioText(const Source& source,
+                                         Findings& findings) {
+  return Noted(ParseScenario(source), source, findings);
+}
+
+std::optional<Experiment> ReadExperimentText(const Source& source,
+                                             Findings& findings, Io& io) {
+  auto experiment = Noted(ParseExperiment(source), source, findings);
+  if (!experiment || !CompleteScenario(*experiment, source, findings, io))
+    return std::nullopt;
+  return experiment;
+}
+
+std::optional<Study> ReadStudyText(const Source& source, Findings& findings,
+                                   Io& io) {
+  auto study = Noted(ParseStudy(source), source, findings);
+  if (!study) return std::nullopt;
+  for (StudyExperiment& one : study->experiments) {
+    if (!CompleteScenario(one.experiment, source, findings, io))
+      return std::nullopt;
+    one.experiment.scenario_file.clear();
+  }
+  return study;
+}
 
 std::optional<Scenario> LoadScenario(const std::string& path, Io& io) {
   if (path.empty()) return PaperScenario();
   const std::optional<Source> source = Load(path, io);
   if (!source) return std::nullopt;
-  Result<Scenario> scenario = ParseScenario(*source);
-  Report(scenario.diagnostics(), *source, io);
-  if (!scenario) return std::nullopt;
-  return std::move(*scenario);
+  Findings findings;
+  auto scenario = ReadScenarioText(*source, findings);
+  Tell(findings, io);
+  return scenario;
 }
 
 std::optional<Experiment> LoadExperiment(const std::string& path, Io& io) {
   const std::optional<Source> source = Load(path, io);
   if (!source) return std::nullopt;
-  Result<Experiment> experiment = ParseExperiment(*source);
-  Report(experiment.diagnostics(), *source, io);
-  if (!experiment) return std::nullopt;
-  if (!CompleteScenario(*experiment, path, io)) return std::nullopt;
-  return std::move(*experiment);
+  Findings findings;
+  auto experiment = ReadExperimentText(*source, findings, io);
+  Tell(findings, io);
+  return experiment;
 }
 
 std::optional<Study> LoadStudy(const std::string& path, Io& io) {
   const std::optional<Source> source = Load(path, io);
   if (!source) return std::nullopt;
-  Result<Study> study = ParseStudy(*source);
-  Report(study.diagnostics(), *source, io);
-  if (!study) return std::nullopt;
-  for (StudyExperiment& one : study->experiments) {
-    if (!CompleteScenario(one.experiment, path, io)) return std::nullopt;
-    one.experiment.scenario_file.clear();
-  }
-  return std::move(*study);
+  Findings findings;
+  auto study = ReadStudyText(*source, findings, io);
+  Tell(findings, io);
+  return study;
 }
 
 }  // namespace plsc::cli

@@ -1,12 +1,14 @@
 #pragma once
 
-// Reading scenario and experiment files for a command: the same errors
+// Reading scenario, experiment and study files for a command: the same errors
 // whichever command asked.
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "runtime/cli/io.h"
+#include "runtime/cli/sarif.h"
 #include "runtime/evolve/experiment.h"
 #include "runtime/scenario.h"
 #include "runtime/study/study.h"
@@ -22,5 +24,17 @@ std::optional<Experiment> LoadExperiment(const std::string& path, Io& io);
 
 /// Likewise, with the scenario of every experiment; none names a file then.
 std::optional<Study> LoadStudy(const std::string& path, Io& io);
+
+/// What is wrong with a file, and with those that it names.
+using Findings = std::vector<CheckedFile>;
+
+/// The same of texts that are read already, for who prints what is found in
+/// another way.
+std::optional<Scenario> ReadScenarioText(const Source& source,
+                                         Findings& findings);
+std::optional<Experiment> ReadExperimentText(const Source& source,
+                                             Findings& findings, Io& io);
+std::optional<Study> ReadStudyText(const Source& source, Findings& findings,
+                                   Io& io);
 
 }  // namespace plsc::cli

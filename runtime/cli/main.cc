@@ -1,3 +1,4 @@
+#include <signal.h>
 #include <sys/ioctl.h>
 #include <unistd.h>
 
@@ -8,6 +9,8 @@
 
 int main(int argc, char** argv) {
   std::ios::sync_with_stdio(false);
+  // A file that may grow no more (ulimit -f) is a full disk, which is told.
+  ::signal(SIGXFSZ, SIG_IGN);
   const bool is_terminal = ::isatty(2) != 0;
   plsc::cli::Io io{std::cin, std::cout, std::cerr, is_terminal,
                    plsc::cli::WantsColor(is_terminal, std::getenv("NO_COLOR"))};

@@ -15,22 +15,18 @@ namespace plsc::cli {
 namespace {
 
 Exit WriteAll(const CommandDescription& root, const std::string& folder,
-              Io& io) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) {
-    io.err << fmt::format("error: cannot make the folder '{}': {}\n", folder,
-                          error.message());
-    return Exit::kBadInput;
-  }
+              bool force, Io& io) {
+  if (!MakeFolder(folder, io)) return Exit::kBadInput;
+  const auto output_of = [&](const CommandDescription& command) {
+    const std::filesystem::path path = folder;
+    return Output{(path / (PageName(command) + ".1")).string(),
+                  OutputKind::kManual, force};
+  };
+  for (const CommandDescription* command : AllCommands(root))
+    if (!CanWrite(output_of(*command), io)) return Exit::kBadInput;
   for (const CommandDescription* command : AllCommands(root)) {
-    const std::string path =
-        (std::filesystem::path(folder) / (PageName(*command) + ".1")).string();
-    if (!CanWrite(path, {}, io)) return Exit::kBadInput;
-    const auto failure = WriteFile(path, ManPage(*command, kVersion));
-    if (!failure) continue;
-    io.err << fmt::format("error: cannot write '{}': {}\n", path, *failure);
-    return Exit::kBadInput;
+    if (!WriteOutput(output_of(*command), ManPage(*command, kVersion), io))
+      return Exit::kBadInput;
   }
   return Exit::kFine;
 }
@@ -39,7 +35,8 @@ Exit WriteAll(const CommandDescription& root, const std::string& folder,
 
 Exit Run(const ManCommand& command, Io& io) {
   const CommandDescription root = DescribeCommandLine();
-  if (!command.all.empty()) return WriteAll(root, command.all, io);
+  if (!command.all.empty())
+    return WriteAll(root, command.all, command.force, io);
   const std::string name = fmt::format("{}", fmt::join(command.command, " "));
   std::vector<std::string_view> names;
   for (const CommandDescription* one : AllCommands(root)) {

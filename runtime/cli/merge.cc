@@ -8,6 +8,7 @@
 #include "compiler/compile.h"
 #include "compiler/merge_lines.h"
 #include "compiler/merge_program.h"
+#include "grammar/shown_line.h"
 #include "runtime/cli/commands.h"
 #include "runtime/cli/output_path.h"
 
@@ -43,7 +44,8 @@ std::optional<Version> ReadVersion(const std::string& path,
   Result<Source> read = ReadSource(path, io);
   if (!read) {
     const Diagnostic& problem = read.diagnostics()[0];
-    io.err << fmt::format("error[{}]: {}\n", problem.code, problem.message);
+    io.err << fmt::format("error[{}]: {}\n", problem.code,
+                          Escaped(problem.message));
     return std::nullopt;
   }
   Source source = command.is_driver && !command.path.empty()
@@ -86,17 +88,21 @@ bool IsCorrect(const std::string& text, const MergeCommand& command, Io& io) {
   return false;
 }
 
+Output OutputOf(const MergeCommand& command) {
+  return {command.output,
+          OutputKind::kGenotype,
+          command.force,
+          {command.base, command.ours, command.theirs}};
+}
+
 // Whether it is written.
 bool WriteMerge(const std::string& text, const MergeCommand& command, Io& io) {
-  const std::string& path =
-      command.is_driver || command.write_ours ? command.ours : command.output;
-  if (path.empty()) {
-    io.out << text;
-    return true;
-  }
-  const auto failure = WriteFile(path, text);
+  if (!command.is_driver && !command.write_ours)
+    return WriteOutput(OutputOf(command), text, io);
+  const auto failure = WriteFile(command.ours, text);
   if (failure)
-    io.err << fmt::format("error: cannot write '{}': {}\n", path, *failure);
+    io.err << fmt::format("error: cannot write '{}': {}\n", command.ours,
+                          *failure);
   return !failure;
 }
 
@@ -138,9 +144,7 @@ Exit Finish(const MergedFile& merged, bool must_be_correct,
 }  // namespace
 
 Exit Run(const MergeCommand& command, Io& io) {
-  if (!CanWrite(command.output, {command.base, command.ours, command.theirs},
-                io))
-    return Exit::kTrouble;
+  if (!CanWrite(OutputOf(command), io)) return Exit::kTrouble;
   const MergeLabels labels = LabelsOf(command);
   const auto base = ReadVersion(command.base, labels.base, command, io);
   const auto ours = ReadVersion(command.ours, labels.ours, command, io);

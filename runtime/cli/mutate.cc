@@ -43,10 +43,10 @@ const char* VerbOf(MutationKind kind) {
 }
 
 // Rules are told as those of the parent.
-std::string RuleText(const Genotype& parent, std::size_t rule) {
-  const Rule& one = parent.rules[rule];
+std::string RuleText(const Genotype& parent, const Mutation& mutation) {
+  const Rule& one = parent.rules[mutation.rule];
   return fmt::format(
-      "rule {} ({}{})", rule + 1, (*parent.alphabet)[one.head].name,
+      "rule {} ({}{})", RuleNumber(mutation), (*parent.alphabet)[one.head].name,
       one.clause.is_always() ? "" : " if " + PrintClause(one.clause, parent));
 }
 
@@ -62,16 +62,16 @@ OneChild MutateOne(const Program& parent, const HowToMutate& how,
   child.program.tests.clear();
   child.program.genotype = Mutate(parent.genotype, mutation, rng, how.options);
   const bool has_changed = child.program.genotype != parent.genotype;
-  const std::string rule = RuleText(parent.genotype, mutation.rule);
+  const std::string rule = RuleText(parent.genotype, mutation);
   child.told = has_changed
                    ? fmt::format("{} {}", VerbOf(mutation.kind), rule)
                    : fmt::format("nothing changed: {} of {} had no effect",
                                  MutationName(mutation.kind), rule);
-  child.what = {{"seed", key.seed},
+  child.what = {{"seed", std::to_string(key.seed)},
                 {"generation", key.generation},
                 {"individual", key.individual},
                 {"mutation", MutationName(mutation.kind)},
-                {"rule", mutation.rule + 1},
+                {"rule", RuleNumber(mutation)},
                 {"changed", has_changed}};
   return child;
 }
@@ -91,9 +91,12 @@ bool CanVary(const Genotype& genotype, const std::string& path, Io& io) {
 }  // namespace
 
 Exit Run(const MutateCommand& command, Io& io) {
-  const std::string input = SplitGenotypePath(command.file).file;
-  if (!CanWrite(command.output, {input, command.experiment}, io))
-    return Exit::kBadInput;
+  const Output output{
+      command.output,
+      ChildrenKind(command.format),
+      command.force,
+      {SplitGenotypePath(command.file).file, command.experiment}};
+  if (!CanWrite(output, io)) return Exit::kBadInput;
   const auto parent = LoadProgram(command.file, command.allow_range, io);
   if (!parent || !CanVary(parent->genotype, command.file, io))
     return Exit::kBadInput;
@@ -113,9 +116,8 @@ Exit Run(const MutateCommand& command, Io& io) {
                   {command.stream.seed, command.stream.generation,
                    command.stream.individual + static_cast<std::uint64_t>(i),
                    Purpose::kMutate}));
-  const bool is_delivered =
-      DeliverChildren(std::move(children), command.output, command.format, io);
-  return is_delivered ? Exit::kFine : Exit::kBadInput;
+  return DeliverChildren(std::move(children), output, io) ? Exit::kFine
+                                                          : Exit::kBadInput;
 }
 
 }  // namespace plsc::cli

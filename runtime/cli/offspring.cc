@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "compiler/print.h"
+#include "runtime/formats/json_dump.h"
 
 namespace plsc::cli {
 
@@ -25,7 +26,7 @@ std::string AsLines(const std::vector<OneChild>& children) {
     nlohmann::ordered_json line = child.what;
     line["genotype"] = child.program.genotype.name;
     line["text"] = Print(child.program);
-    lines += line.dump() + '\n';
+    lines += DumpJson(line) + '\n';
   }
   return lines;
 }
@@ -40,20 +41,21 @@ std::string JoinGenotypes(const std::vector<std::string>& texts) {
   return joined;
 }
 
-bool DeliverChildren(std::vector<OneChild> children, const std::string& output,
-                     OutputFormat format, Io& io) {
+OutputKind ChildrenKind(OutputFormat format) {
+  return format == OutputFormat::kJson ? OutputKind::kChildren
+                                       : OutputKind::kGenotype;
+}
+
+bool DeliverChildren(std::vector<OneChild> children, const Output& output,
+                     Io& io) {
+  const bool is_json = output.kind == OutputKind::kChildren;
   if (children.size() > 1)
     for (std::size_t i = 0; i < children.size(); ++i)
       children[i].program.genotype.name += fmt::format("_{}", i + 1);
-  const std::string text =
-      format == OutputFormat::kJson ? AsLines(children) : AsOneFile(children);
-  if (output.empty()) {
-    io.out << text;
-  } else if (const auto failure = WriteFile(output, text)) {
-    io.err << fmt::format("error: cannot write '{}': {}\n", output, *failure);
+  if (!WriteOutput(output, is_json ? AsLines(children) : AsOneFile(children),
+                   io))
     return false;
-  }
-  if (format == OutputFormat::kJson) return true;
+  if (is_json) return true;
   for (const OneChild& child : children)
     io.err << fmt::format("{}: {}\n", child.program.genotype.name, child.told);
   return true;

@@ -10,6 +10,7 @@
 #include "compiler/program.h"
 #include "runtime/cli/commands.h"
 #include "runtime/cli/io.h"
+#include "runtime/cli/output_path.h"
 
 namespace plsc::cli {
 
@@ -23,9 +24,12 @@ struct OneChild {
   nlohmann::ordered_json what;  ///< the same for scripts
 };
 
+/// What of Output::kind is written in that format.
+OutputKind ChildrenKind(OutputFormat format);
+
 /// Several genotypes get the numbers from 1 behind their names. Whether the
 /// texts went where they were wanted; prints what is wrong.
-bool DeliverChildren(std::vector<OneChild> children, const std::string& output,
-                     OutputFormat format, Io& io);
+bool DeliverChildren(std::vector<OneChild> children, const Output& output,
+                     Io& io);
 
 }  // namespace plsc::cli

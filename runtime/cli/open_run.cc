@@ -9,6 +9,8 @@
 #include <ostream>
 #include <string_view>
 
+#include "grammar/shown_line.h"
+
 namespace plsc::cli {
 
 bool IsDatabase(const std::string& path) {
@@ -23,7 +25,7 @@ bool IsDatabase(const std::string& path) {
 }
 
 Exit Complain(const std::string& failure, Io& io) {
-  io.err << fmt::format("error: {}\n", failure);
+  io.err << fmt::format("error: {}\n", Escaped(failure));
   return Exit::kBadInput;
 }
 
@@ -66,8 +68,8 @@ Loaded<std::vector<int>> EvaluatedIds(RunStore& store) {
 }
 
 std::string TellVersions(const Versions& versions) {
-  return fmt::format("plsc {}, ODE {}, compiler {}", versions.plsc,
-                     versions.ode, versions.compiler);
+  return Escaped(fmt::format("plsc {}, ODE {}, compiler {}", versions.plsc,
+                             versions.ode, versions.compiler));
 }
 
 }  // namespace plsc::cli

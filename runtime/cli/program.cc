@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "compiler/print.h"
+#include "grammar/shown_line.h"
 #include "grammar/suggest.h"
 #include "runtime/derive.h"
 #include "runtime/environment.h"
@@ -45,7 +46,7 @@ std::optional<NamedEnvironment> ReadOne(const Program& program,
     if (!program.environments.empty() && text.find('=') == std::string::npos) {
       io.err << "= note: environments that the file names:";
       for (const NamedEnvironment& named : program.environments)
-        io.err << ' ' << named.name;
+        io.err << ' ' << Escaped(named.name);
       io.err << '\n';
     }
     return std::nullopt;
@@ -58,7 +59,7 @@ std::optional<Source> Read(const std::string& path, Io& io) {
   Result<Source> source = ReadSource(path, io);
   if (source) return std::move(*source);
   io.err << fmt::format("error[{}]: {}\n", source.diagnostics()[0].code,
-                        source.diagnostics()[0].message);
+                        Escaped(source.diagnostics()[0].message));
   return std::nullopt;
 }
 
@@ -104,7 +105,7 @@ std::optional<std::size_t> Choose(const std::vector<MappedProgram>& all,
     if (names.back() == name) return i;
   }
   io.err << fmt::format("error[P2019]: {} has no genotype '{}'\n",
-                        source.name(), name);
+                        Escaped(source.name()), Escaped(name));
   if (const auto near = Suggest(name, names))
     io.err << fmt::format("  = help: did you mean '{}'?\n", *near);
   else
@@ -181,7 +182,7 @@ void ReportGrowth(const LoadedProgram& loaded, const NamedEnvironment& named,
   io.err << fmt::format(
       "error: in {}, the history of development has too many symbols to be "
       "kept\n",
-      named.name);
+      Escaped(named.name));
 }
 
 std::optional<std::vector<NamedEnvironment>> ChooseEnvironments(

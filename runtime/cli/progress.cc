@@ -11,6 +11,8 @@
 #include <ostream>
 #include <vector>
 
+#include "grammar/shown_line.h"
+
 namespace plsc::cli {
 
 namespace {
@@ -42,11 +44,12 @@ constexpr int kBusy = 10'000;
 void AddSeasons(const Progress& progress, std::vector<Piece>& pieces) {
   for (std::size_t i = 0; i < progress.seasons.size(); ++i) {
     const SeasonProgress& season = progress.seasons[i];
+    const std::string name = Escaped(season.season);
     const std::string best = SpeedText(season.best);
     const std::string median = SpeedText(season.median);
     const int place = static_cast<int>(i);
-    pieces.push_back({fmt::format("{} best {}", season.season, best),
-                      fmt::format("{} {}", season.season, best),
+    pieces.push_back({fmt::format("{} best {}", name, best),
+                      fmt::format("{} {}", name, best),
                       i == 0 ? 2 : kFirstSeason + place});
     pieces.push_back({"median " + median, "med " + median,
                       i == 0 ? 4 : kFirstMedian + place});

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <ostream>
 #include <variant>
 #include <vector>
@@ -11,6 +10,7 @@
 #include "runtime/cli/commands.h"
 #include "runtime/cli/load_yaml.h"
 #include "runtime/cli/offspring.h"
+#include "runtime/cli/output_path.h"
 #include "runtime/evolve/breed.h"
 #include "runtime/evolve/initialise.h"
 #include "runtime/evolve/rng.h"
@@ -93,20 +93,11 @@ Exit Run(const RandomCommand& command, Io& io) {
     Report(program.diagnostics(), source, io);
     return Exit::kBadUsage;
   }
-  if (command.output.empty()) {
-    io.out << text;
-    return Exit::kFine;
-  }
-  if (std::filesystem::exists(command.output)) {
-    io.err << fmt::format("error: '{}' exists; nothing is overwritten\n",
-                          command.output);
-    return Exit::kBadInput;
-  }
-  const auto failure = WriteFile(command.output, text);
-  if (!failure) return Exit::kFine;
-  io.err << fmt::format("error: cannot write '{}': {}\n", command.output,
-                        *failure);
-  return Exit::kBadInput;
+  const Output output{command.output,
+                      OutputKind::kGenotype,
+                      command.force,
+                      {command.experiment}};
+  return WriteOutput(output, text, io) ? Exit::kFine : Exit::kBadInput;
 }
 
 }  // namespace plsc::cli

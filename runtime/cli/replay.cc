@@ -6,6 +6,7 @@
 #include <span>
 #include <utility>
 
+#include "grammar/shown_line.h"
 #include "runtime/cli/commands.h"
 #include "runtime/cli/open_run.h"
 #include "runtime/cli/replay_compare.h"
@@ -13,6 +14,8 @@
 #include "runtime/evolve/judging.h"
 #include "runtime/evolve/worker_count.h"
 #include "runtime/evolve/worker_pool.h"
+#include "runtime/formats/json_dump.h"
+#include "runtime/store/verify.h"
 
 namespace plsc::cli {
 
@@ -29,8 +32,9 @@ void PrintText(const Replayed& replayed, std::ostream& out) {
   out << fmt::format("{}: {} of {} values differ\n", replayed.id,
                      replayed.differences.size(), replayed.values);
   for (const Difference& one : replayed.differences)
-    out << fmt::format("  season {}, {}: stored {}, now {}\n", one.season,
-                       one.name, one.stored, one.now);
+    out << fmt::format("  season {}, {}: stored {}, now {}\n",
+                       Escaped(one.season), one.name, Escaped(one.stored),
+                       Escaped(one.now));
 }
 
 void PrintJson(const Replayed& replayed, std::ostream& out) {
@@ -44,7 +48,7 @@ void PrintJson(const Replayed& replayed, std::ostream& out) {
                                    {"name", one.name},
                                    {"stored", one.stored},
                                    {"now", one.now}});
-  out << json.dump() << '\n';
+  out << DumpJson(json) << '\n';
 }
 
 struct Stored {
@@ -107,6 +111,10 @@ Exit Run(const ReplayCommand& command, Io& io) {
   RunStore store;
   if (const auto failure = store.OpenForReading(command.run))
     return Complain(*failure, io);
+  // Whoever is lost with a page would not be missed otherwise.
+  if (command.all)
+    if (const auto problem = Examine(command.run).problem)
+      return Complain(*problem, io);
   const Loaded<std::vector<int>> ids =
       command.all ? EvaluatedIds(store) : IdsOf(store, command.individuals);
   if (!ids) return Complain(ids.failure(), io);

@@ -1,4 +1,5 @@
 #include "runtime/report/report.h"
+#include "grammar/shown_line.h"
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
@@ -76,12 +77,19 @@ Told TellProblems(const StudyReport& report, Io& io) {
   for (const ReportRun& run : report.runs) {
     if (run.reading.state == RunState::kDamaged) {
       ++told.damaged;
-      io.err << fmt::format("error: {}\n", run.reading.problem);
+      io.err << fmt::format("error: {}\n", Escaped(run.reading.problem));
     } else if (run.reading.state != RunState::kMissing) {
       ++told.readable;
     }
   }
   return told;
+}
+
+Output OutputOf(const ReportCommand& command) {
+  return {command.output,
+          command.format == ReportFormat::kHtml ? OutputKind::kPage
+                                                : OutputKind::kReport,
+          command.force, command.paths};
 }
 
 Exit Write(const ReportCommand& command, const StudyReport& report, Io& io) {
@@ -90,15 +98,9 @@ Exit Write(const ReportCommand& command, const StudyReport& report, Io& io) {
     text = PageHtml(PageKind::kReport, report.title, text);
   else
     text += '\n';
-  if (command.output.empty()) {
-    io.out << text;
-    return Exit::kFine;
-  }
-  if (const auto failure = WriteFile(command.output, text))
-    return Complain(
-        fmt::format("cannot write '{}': {}", command.output, *failure), io);
-  if (!command.quiet)
-    io.out << fmt::format("{}: {}\n", command.output, Summary(report));
+  if (!WriteOutput(OutputOf(command), text, io)) return Exit::kBadInput;
+  if (!command.quiet && !command.output.empty() && command.output != "-")
+    io.out << fmt::format("{}: {}\n", Escaped(command.output), Summary(report));
   return Exit::kFine;
 }
 
@@ -108,7 +110,7 @@ Exit Run(const ReportCommand& command, Io& io) {
   const bool is_page = command.format == ReportFormat::kHtml;
   if (is_page && command.output.empty())
     return WrongUsage("where should the page go? add -o FILE", io);
-  if (!CanWrite(command.output, command.paths, io)) return Exit::kBadInput;
+  if (!CanWrite(OutputOf(command), io)) return Exit::kBadInput;
   const auto measures = ChooseMeasures(command.measures);
   if (!measures) return WrongUsage(measures.failure().c_str(), io);
   const Loaded<ReportInputs> inputs = FindRuns(command.paths);
@@ -121,7 +123,8 @@ Exit Run(const ReportCommand& command, Io& io) {
   ReadingLine line(io, !command.quiet);
   const StudyReport report = BuildReport(
       *inputs, *measures,
-      [&](std::size_t done, std::size_t total) { line.Show(done, total); });
+      [&](std::size_t done, std::size_t total) { line.Show(done, total); },
+      command.verify);
   const Told told = TellProblems(report, io);
   if (told.readable == 0 && told.damaged == 0)
     return Complain("none of these runs is begun yet", io);

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "compiler/print.h"
+#include "grammar/shown_line.h"
 #include "runtime/cli/load_yaml.h"
 #include "runtime/cli/open_run.h"
 #include "runtime/cli/recorded_life.h"
@@ -98,7 +99,8 @@ bool IsRobotNamed(const std::string& file, const std::string& individual,
                   Io& io) {
   if (!individual.empty() || !IsDatabase(file)) return true;
   io.err << fmt::format(
-      "error: {} is a run; which of its robots? add a number, or best\n", file);
+      "error: {} is a run; which of its robots? add a number, or best\n",
+      Escaped(file));
   return false;
 }
 

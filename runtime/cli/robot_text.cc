@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "grammar/shown_line.h"
 #include "runtime/develop.h"
 #include "runtime/formats/body_text.h"
 #include "runtime/season_teller.h"
@@ -11,10 +12,10 @@ namespace plsc::cli {
 std::string SeasonLine(const SeasonResult& result) {
   constexpr double kCentimetres = 100;  // the paper's unit of Speed
   if (!result.behaviour.is_valid)
-    return fmt::format("season {}: {}: {}", result.season,
-                       OutcomeName(result.outcome), result.reason);
+    return fmt::format("season {}: {}: {}", Escaped(result.season),
+                       OutcomeName(result.outcome), Escaped(result.reason));
   return fmt::format("season {}: speed {:.3f} cm/s, balance {:.4f}, {} modules",
-                     result.season,
+                     Escaped(result.season),
                      kCentimetres * result.behaviour.displacement_velocity_hill,
                      result.behaviour.head_balance, result.body.absolute_size);
 }

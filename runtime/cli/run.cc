@@ -12,8 +12,12 @@ Exit Run(const Answer& answer, Io& io) {
 }
 
 Exit Main(const std::vector<std::string>& arguments, Io& io) {
-  return std::visit([&](const auto& command) { return Run(command, io); },
-                    ParseArguments(arguments));
+  const Exit exit =
+      std::visit([&](const auto& command) { return Run(command, io); },
+                 ParseArguments(arguments));
+  if (exit == Exit::kBadInput || exit == Exit::kBadUsage)
+    io.err << AdviceOnValues(arguments);
+  return exit;
 }
 
 }  // namespace plsc::cli

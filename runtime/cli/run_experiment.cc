@@ -55,11 +55,14 @@ std::string_view EndingName(Ending ending) {
   return "";
 }
 
-/// A store that is ready for the run, or what is wrong.
-Failure Prepare(const RunRequest& request, RunStore& store) {
-  const bool exists = std::filesystem::exists(request.path);
-  if (request.experiment && !(request.may_resume && exists))
-    return store.Create(request.path, *request.experiment);
+bool IsNew(const RunRequest& request) {
+  std::error_code error;
+  return request.experiment &&
+         !(request.may_resume && std::filesystem::exists(request.path, error));
+}
+
+/// The store of a run to go on with, or what is wrong.
+Failure OpenStore(const RunRequest& request, RunStore& store) {
   if (Failure failure = store.Open(request.path, request.allow_other_version)) {
     // So damaged that the store has no more to say.
     if (failure->ends_with("is malformed"))
@@ -69,13 +72,14 @@ Failure Prepare(const RunRequest& request, RunStore& store) {
           request.path);
     return failure;
   }
-  if (request.experiment && PrintExperiment(*request.experiment) !=
-                                PrintExperiment(store.experiment()))
-    return fmt::format(
-        "'{}' is a run of another experiment or seed: choose another name, or "
-        "`plsc evolve --resume {}` to go on with it as it is",
-        request.path, request.path);
-  return std::nullopt;
+  if (!request.experiment || PrintExperiment(*request.experiment) ==
+                                 PrintExperiment(store.experiment()))
+    return std::nullopt;
+  store.Discard();
+  return fmt::format(
+      "'{}' is a run of another experiment or seed: choose another name, or "
+      "`plsc evolve --resume {}` to go on with it as it is",
+      request.path, request.path);
 }
 
 std::unique_ptr<Workers> WorkersFor(const RunRequest& request,
@@ -118,6 +122,13 @@ struct Stores {
   std::optional<SharedCache> cache;
   std::optional<Salvage> salvage;
   JsonLog log;
+
+  /// A command that fails before it begins leaves nothing behind.
+  void Discard() {
+    log.Discard();
+    if (cache) cache->Discard();
+    run.Discard();
+  }
 };
 
 /// Runs what the store has not got yet; prints nothing but progress.
@@ -171,11 +182,31 @@ void Live(const RunRequest& request, Stores& stores, SavedRun saved,
 
 /// The shared cache and the log, if they are wanted.
 Failure OpenOthers(const RunRequest& request, Stores& stores) {
-  if (!request.cache.empty())
-    if (Failure failure = stores.cache.emplace().Open(request.cache))
+  if (!request.json_log.empty())
+    if (Failure failure = stores.log.Open(request.json_log)) return failure;
+  if (request.cache.empty()) return std::nullopt;
+  return stores.cache.emplace().Open(request.cache);
+}
+
+/// All that the run needs, its session begun. What is there already is opened,
+/// and looked through, before anything is made.
+Failure OpenAll(const RunRequest& request, Stores& stores,
+                RunOutcome& outcome) {
+  const bool is_new = IsNew(request);
+  RunStore& store = stores.run;
+  const auto check_lock = [&](Failure failure) {
+    if (failure) outcome.is_locked = WhoWorksOn(request.path).has_value();
+    return failure;
+  };
+  if (Failure failure = check_lock(is_new ? RunStore::CheckCreate(request.path)
+                                          : OpenStore(request, store)))
+    return failure;
+  if (Failure failure = OpenOthers(request, stores)) return failure;
+  if (is_new)
+    if (Failure failure =
+            check_lock(store.Create(request.path, *request.experiment)))
       return failure;
-  if (request.json_log.empty()) return std::nullopt;
-  return stores.log.Open(request.json_log);
+  return store.BeginSession({UtcNow(), request.jobs.value_or(0)});
 }
 
 SessionEnd EndOf(const RunOutcome& outcome) {
@@ -229,18 +260,13 @@ RunOutcome ExecuteRun(const RunRequest& asked, Io& io) {
     if (const Failure failure =
             OpenSalvage(request, stores.salvage.emplace(), io))
       return complain(*failure);
-  if (const Failure failure = Prepare(request, store)) {
-    outcome.is_locked = WhoWorksOn(request.path).has_value();
+  if (const Failure failure = OpenAll(request, stores, outcome)) {
+    stores.Discard();
     return complain(*failure);
   }
   outcome.experiment = store.experiment();
   Loaded<SavedRun> saved = store.Load();
   if (!saved) return complain(saved.failure());
-  if (const Failure failure = OpenOthers(request, stores))
-    return complain(*failure);
-  if (const Failure failure =
-          store.BeginSession({UtcNow(), request.jobs.value_or(0)}))
-    return complain(*failure);
   Live(request, stores, std::move(*saved), outcome, io);
   for (const Failure& warning :
        {stores.cache ? stores.cache->warning() : Failure(),
@@ -253,7 +279,8 @@ RunOutcome ExecuteRun(const RunRequest& asked, Io& io) {
     outcome.result.ending = Ending::kFailed;
     outcome.result.failure = *closing;
   }
-  outcome.exit = ExitOf(outcome, request.path, io);
+  outcome.exit = store.is_lost() ? Complain(outcome.result.failure, io)
+                                 : ExitOf(outcome, request.path, io);
   return outcome;
 }
 

@@ -4,11 +4,15 @@
 #include <ostream>
 
 #include "compiler/print.h"
+#include "grammar/shown_line.h"
 #include "runtime/cli/commands.h"
 #include "runtime/cli/open_run.h"
 #include "runtime/cli/robot_text.h"
+#include "runtime/formats/json_dump.h"
 #include "runtime/formats/season_json.h"
+#include "runtime/store/heritage_json.h"
 #include "runtime/store/lock.h"
+#include "runtime/store/verify.h"
 
 namespace plsc::cli {
 
@@ -31,7 +35,7 @@ std::string Origin(const Heritage& heritage, const Alphabet& alphabet) {
   if (heritage.mutation)
     text +=
         fmt::format(", {} of rule {}", MutationName(heritage.mutation->kind),
-                    heritage.mutation->rule + 1);
+                    RuleNumber(*heritage.mutation));
   return text;
 }
 
@@ -56,21 +60,6 @@ std::string LineageText(const std::vector<Ancestor>& lineage,
   return text;
 }
 
-Json HeritageJson(const Heritage& heritage, const Alphabet& alphabet) {
-  Json json;
-  json["parents"] = heritage.parents;
-  json["from_second"] = Json::array();
-  for (const SymbolId head : heritage.from_second)
-    json["from_second"].push_back(alphabet[head].name);
-  json["mutation"] = heritage.mutation
-                         ? Json(MutationName(heritage.mutation->kind))
-                         : Json(nullptr);
-  json["mutated_rule"] =
-      heritage.mutation ? Json(heritage.mutation->rule + 1) : Json(nullptr);
-  json["senses"] = heritage.senses;
-  return json;
-}
-
 Json FitnessesJson(const SeasonFitnesses& fitnesses) {
   Json json = Json::array();
   for (const std::optional<double>& fitness : fitnesses)
@@ -80,23 +69,24 @@ Json FitnessesJson(const SeasonFitnesses& fitnesses) {
 
 Json IndividualJson(const Individual& one,
                     const std::vector<Ancestor>& lineage) {
-  const Alphabet& alphabet = *one.genotype.alphabet;
+  const auto heritage_of = [&](const Heritage& heritage) {
+    return HeritageJson(heritage, *one.genotype.alphabet, one.genotype.states);
+  };
   Json json;
   json["id"] = one.id;
   json["generation"] = one.generation;
-  json.update(HeritageJson(one.heritage, alphabet));
+  json.update(heritage_of(one.heritage));
   json["genotype"] = Print(one.genotype);
   json["seasons"] = Json::array();
   for (const SeasonResult& season : one.evaluation.seasons)
-    json["seasons"].push_back(
-        Json::parse(SeasonJson(one.genotype.name, season)));
+    json["seasons"].push_back(Json::parse(SeasonJson(one.genotype, season)));
   json["lineage"] = Json::array();
   for (const Ancestor& ancestor : lineage) {
     Json of;
     of["distance"] = ancestor.distance;
     of["id"] = ancestor.id;
     of["generation"] = ancestor.generation;
-    of.update(HeritageJson(ancestor.heritage, alphabet));
+    of.update(heritage_of(ancestor.heritage));
     of["fitness"] = FitnessesJson(ancestor.fitnesses);
     json["lineage"].push_back(std::move(of));
   }
@@ -116,7 +106,7 @@ Exit ShowIndividual(const ShowCommand& command, RunStore& store, Io& io) {
       store.Lineage(*id, command.lineage);
   if (!lineage) return Complain(lineage.failure(), io);
   if (command.format == OutputFormat::kJson) {
-    io.out << IndividualJson(*one, *lineage).dump() << '\n';
+    io.out << DumpJson(IndividualJson(*one, *lineage)) << '\n';
     return Exit::kFine;
   }
   const Alphabet& alphabet = *one->genotype.alphabet;
@@ -127,55 +117,93 @@ Exit ShowIndividual(const ShowCommand& command, RunStore& store, Io& io) {
   return Exit::kFine;
 }
 
-Exit ShowRun(const ShowCommand& command, RunStore& store, Io& io) {
-  const Loaded<RunStatus> status = store.Status();
-  if (!status) return Complain(status.failure(), io);
+struct Standing {
+  RunStatus status;
+  std::string worker;  ///< who works on it; empty: nobody
+  const char* state = "";
+};
+
+void PrintRunJson(const ShowCommand& command, const RunStore& store,
+                  const Standing& standing, std::ostream& out) {
   const Experiment& experiment = store.experiment();
-  const std::optional<std::string> worker = WhoWorksOn(command.run);
-  const char* state = status->is_finished ? "finished"
-                      : worker            ? "running"
-                                          : "unfinished";
-  if (command.format == OutputFormat::kJson) {
-    Json json;
-    json["run"] = command.run;
-    json["name"] = experiment.name;
-    json["seed"] = experiment.seed;
-    json["state"] = state;
-    json["generations"] = status->generations;
-    json["total_generations"] = experiment.generations;
-    json["evaluations"] = status->evaluations;
-    json["total_evaluations"] = Evaluations(experiment);
-    json["best"] = status->best == 0 ? Json(nullptr) : Json(status->best);
-    json["versions"] = {{"plsc", store.versions().plsc},
-                        {"ode", store.versions().ode},
-                        {"compiler", store.versions().compiler}};
-    io.out << json.dump() << '\n';
-    return Exit::kFine;
-  }
-  io.out << fmt::format(
+  const RunStatus& status = standing.status;
+  Json json;
+  json["run"] = command.run;
+  json["name"] = experiment.name;
+  json["seed"] = std::to_string(experiment.seed);
+  json["state"] = standing.state;
+  json["generations"] = status.generations;
+  json["total_generations"] = experiment.generations;
+  json["evaluations"] = status.evaluations;
+  json["total_evaluations"] = Evaluations(experiment);
+  json["best"] = status.best == 0 ? Json(nullptr) : Json(status.best);
+  json["versions"] = {{"plsc", store.versions().plsc},
+                      {"ode", store.versions().ode},
+                      {"compiler", store.versions().compiler}};
+  json["verified"] = command.verify;
+  out << DumpJson(json) << '\n';
+}
+
+void PrintRunText(const RunStore& store, const Standing& standing,
+                  std::ostream& out) {
+  const Experiment& experiment = store.experiment();
+  const RunStatus& status = standing.status;
+  out << fmt::format(
       "{} (seed {}), by {}\n{}{}: {} of {} generations, {} of {} robots "
       "evaluated\n",
-      experiment.name.empty() ? "run without a name" : experiment.name,
-      experiment.seed, TellVersions(store.versions()), state,
-      worker ? " by " + *worker : "", status->generations,
-      experiment.generations, status->evaluations, Evaluations(experiment));
-  if (status->best == 0) return Exit::kFine;
-  const Loaded<Individual> best = store.Find(status->best);
-  if (!best) return Complain(best.failure(), io);
-  io.out << fmt::format("best: {} of generation {}\n", status->best,
-                        best->generation);
-  for (const SeasonResult& season : best->evaluation.seasons)
-    io.out << "  " << SeasonLine(season) << '\n';
+      experiment.name.empty() ? "run without a name" : Escaped(experiment.name),
+      experiment.seed, TellVersions(store.versions()), standing.state,
+      standing.worker.empty() ? "" : " by " + Escaped(standing.worker),
+      status.generations, experiment.generations, status.evaluations,
+      Evaluations(experiment));
+}
+
+void PrintBest(const Individual& best, std::ostream& out) {
+  out << fmt::format("best: {} of generation {}\n", best.id, best.generation);
+  for (const SeasonResult& season : best.evaluation.seasons)
+    out << "  " << SeasonLine(season) << '\n';
+}
+
+Exit ShowRun(const ShowCommand& command,
+             const std::optional<std::string>& worker, RunStore& store,
+             Io& io) {
+  const Loaded<RunStatus> status = store.Status();
+  if (!status) return Complain(status.failure(), io);
+  const Standing standing{*status, worker.value_or(""),
+                          status->is_finished ? "finished"
+                          : worker            ? "running"
+                                              : "unfinished"};
+  std::optional<Individual> best;
+  if (status->best != 0) {
+    Loaded<Individual> found = store.Find(status->best);
+    if (!found) return Complain(found.failure(), io);
+    best = std::move(*found);
+  }
+  if (command.format == OutputFormat::kJson) {
+    PrintRunJson(command, store, standing, io.out);
+    return Exit::kFine;
+  }
+  PrintRunText(store, standing, io.out);
+  if (best) PrintBest(*best, io.out);
+  io.out << (command.verify ? "checksums: of all results, and right\n"
+             : best ? "checksums: of the best robot, and right (of all: "
+                      "--verify)\n"
+                    : "checksums: not looked at (--verify does)\n");
   return Exit::kFine;
 }
 
 }  // namespace
 
 Exit Run(const ShowCommand& command, Io& io) {
+  // Asked first: not to be asked of a store that is open.
+  const std::optional<std::string> worker = WhoWorksOn(command.run);
   RunStore store;
   if (const auto failure = store.OpenForReading(command.run))
     return Complain(*failure, io);
-  return command.individual.empty() ? ShowRun(command, store, io)
+  if (command.verify)
+    if (const auto problem = Examine(command.run).problem)
+      return Complain(*problem, io);
+  return command.individual.empty() ? ShowRun(command, worker, store, io)
                                     : ShowIndividual(command, store, io);
 }
 

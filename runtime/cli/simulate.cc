@@ -1,10 +1,12 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <ostream>
 #include <utility>
 #include <variant>
 
+#include "grammar/shown_line.h"
 #include "runtime/cli/commands.h"
 #include "runtime/cli/interrupt.h"
 #include "runtime/cli/load_yaml.h"
@@ -43,12 +45,12 @@ void PrintRow(const SeasonResult& result, std::ostream& out) {
   const std::string fitness =
       result.fitness ? fmt::format("{:.5f}", *result.fitness) : "none";
   out << fmt::format("{:<12} {:>5} {:>6} {:>7} {:>11} {:>8} {:>9}  {}\n",
-                     result.season, result.body.absolute_size,
+                     Escaped(result.season), result.body.absolute_size,
                      result.body.hinge_count, result.body.touch_sensor_count,
                      speed, balance, fitness, OutcomeName(result.outcome));
   if (!result.reason.empty())
     out << fmt::format("  {}: {}\n", OutcomeName(result.outcome),
-                       result.reason);
+                       Escaped(result.reason));
 }
 
 // When and why the robot is what it is.
@@ -65,7 +67,7 @@ void PrintChange(const SeasonResult& result, const Scenario& scenario,
                      : result.change == Change::kBrain
                          ? "the same body, another brain"
                          : "another body";
-  out << fmt::format("  {}{}: {}\n", what, when, result.change_reason);
+  out << fmt::format("  {}{}: {}\n", what, when, Escaped(result.change_reason));
 }
 
 // A dash where there is nothing to describe: 0 would be a lie.
@@ -90,7 +92,7 @@ void PrintDescriptors(const std::vector<SeasonResult>& results,
   out << fmt::format("\n{:<28}", "descriptor");
   std::vector<decltype(DescriptorsOf(results.front()))> columns;
   for (const SeasonResult& result : results) {
-    out << fmt::format(" {:>12}", result.season);
+    out << fmt::format(" {:>12}", Escaped(result.season));
     columns.push_back(DescriptorsOf(result));
   }
   out << '\n';
@@ -102,20 +104,49 @@ void PrintDescriptors(const std::vector<SeasonResult>& results,
   }
 }
 
-bool Write(const std::string& path, const std::string& text, Io& io) {
-  const auto failure = WriteFile(path, text);
-  if (failure)
-    io.err << fmt::format("error: cannot write '{}': {}\n", path, *failure);
-  else
-    io.err << fmt::format("wrote {}\n", path);
-  return !failure;
+bool Write(const Output& output, const std::string& text, Io& io) {
+  if (!WriteOutput(output, text, io)) return false;
+  io.err << fmt::format("wrote {}\n", output.path);
+  return true;
 }
 
-bool WriteInto(const std::string& folder, const std::string& name,
-               const std::string& text, Io& io) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  return Write((std::filesystem::path(folder) / name).string(), text, io);
+// A file that the command was asked for, `path` is one of its options.
+Output OutputOf(const SimulateCommand& command, const std::string& path,
+                OutputKind kind) {
+  return {path,
+          kind,
+          command.force,
+          {SplitGenotypePath(command.file).file, command.scenario}};
+}
+
+Output InFolder(const SimulateCommand& command, const std::string& name,
+                OutputKind kind) {
+  const std::filesystem::path folder = command.trajectory_folder;
+  return OutputOf(command, (folder / name).string(), kind);
+}
+
+Output SamplesOf(const SimulateCommand& command, const std::string& season) {
+  return InFolder(command, season + ".csv", OutputKind::kTrajectory);
+}
+
+Output ConstantsOf(const SimulateCommand& command) {
+  return InFolder(command, "scenario.yaml", OutputKind::kScenario);
+}
+
+// Whether all that the command will write can be written.
+bool CanWriteAll(const SimulateCommand& command, const Scenario& scenario,
+                 Io& io) {
+  if (!CanWrite(OutputOf(command, command.record, OutputKind::kRecording),
+                io) ||
+      !CanWrite(OutputOf(command, command.svg, OutputKind::kSvg), io))
+    return false;
+  if (command.trajectory_folder.empty()) return true;
+  return MakeFolder(command.trajectory_folder, io) &&
+         CanWrite(ConstantsOf(command), io) &&
+         std::all_of(scenario.seasons.begin(), scenario.seasons.end(),
+                     [&](const Season& season) {
+                       return CanWrite(SamplesOf(command, season.name), io);
+                     });
 }
 
 // Everything that a run of the command leaves behind.
@@ -126,12 +157,12 @@ struct Record {
 };
 
 void PrintSeason(const SimulateCommand& command, const SeasonLife& life,
-                 const Scenario& scenario, const std::string& name, Io& io) {
+                 const Scenario& scenario, const Genotype& genotype, Io& io) {
   if (command.format == OutputFormat::kText) {
     PrintRow(life.result, io.out);
     PrintChange(life.result, scenario, io.out);
   } else {
-    io.out << SeasonJson(name, life.result) << '\n';
+    io.out << SeasonJson(genotype, life.result) << '\n';
   }
   io.out.flush();  // a season takes a while; show each when it is done
 }
@@ -173,10 +204,10 @@ Record LiveAll(const SimulateCommand& command, const ToLive& one, Io& io) {
   Record record;
   while (!lived.is_over()) {
     const SeasonLife life = lived.Next();
-    PrintSeason(command, life, scenario, genotype.name, io);
-    const std::string& folder = command.trajectory_folder;
-    if (!folder.empty() && !WriteInto(folder, life.result.season + ".csv",
-                                      TrajectoryCsv(life.trajectory), io))
+    PrintSeason(command, life, scenario, genotype, io);
+    if (!command.trajectory_folder.empty() &&
+        !Write(SamplesOf(command, life.result.season),
+               TrajectoryCsv(life.trajectory), io))
       record.is_written = false;
     record.results.push_back(life.result);
     if (!record.is_written || InterruptHandler::is_interrupted()) break;
@@ -191,21 +222,20 @@ Exit Run(const SimulateCommand& command, Io& io) {
   const auto found = Find(command, io);
   if (const Exit* exit = std::get_if<Exit>(&found)) return *exit;
   const auto& [genotype, scenario, inherited] = std::get<ToLive>(found);
-  if (!CanLive(scenario, genotype, io) ||
-      !CanWrite(command.record, {command.file, command.scenario}, io) ||
-      !CanWrite(command.svg, {command.file, command.scenario}, io))
+  if (!CanLive(scenario, genotype, io) || !CanWriteAll(command, scenario, io))
     return Exit::kBadInput;
 
   if (command.format == OutputFormat::kText) {
-    io.out << fmt::format("{} in scenario {} (profile {})\n", genotype.name,
-                          scenario.name.empty() ? "of no name" : scenario.name,
-                          ProfileName(scenario.profile));
+    io.out << fmt::format(
+        "{} in scenario {} (profile {})\n", genotype.name,
+        scenario.name.empty() ? "of no name" : Escaped(scenario.name),
+        ProfileName(scenario.profile));
     PrintHeader(io.out);
   }
   // Samples mean nothing without the constants that they were made with.
-  const std::string& folder = command.trajectory_folder;
-  if (!folder.empty() &&
-      !WriteInto(folder, "scenario.yaml", PrintScenario(scenario), io))
+  if (!command.trajectory_folder.empty() &&
+      !Write(ConstantsOf(command),
+             std::string(kScenarioMark) + PrintScenario(scenario), io))
     return Exit::kBadInput;
   const InterruptHandler handler;
   const Record record = LiveAll(command, std::get<ToLive>(found), io);
@@ -213,9 +243,12 @@ Exit Run(const SimulateCommand& command, Io& io) {
     PrintDescriptors(record.results, io.out);
   bool is_written = record.is_written;
   if (!command.record.empty())
-    is_written &= Write(command.record, RecordingJson(record.recording), io);
+    is_written &=
+        Write(OutputOf(command, command.record, OutputKind::kRecording),
+              RecordingJson(record.recording), io);
   if (!command.svg.empty())
-    is_written &= Write(command.svg, PathSvg(record.recording), io);
+    is_written &= Write(OutputOf(command, command.svg, OutputKind::kSvg),
+                        PathSvg(record.recording), io);
   if (!is_written) return Exit::kBadInput;
   return InterruptHandler::is_interrupted() ? Exit::kInterrupted : Exit::kFine;
 }

@@ -3,10 +3,13 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 
+#include "grammar/shown_line.h"
 #include "runtime/cli/commands.h"
 #include "runtime/cli/interrupt.h"
 #include "runtime/cli/load_yaml.h"
 #include "runtime/cli/run_experiment.h"
+#include "runtime/formats/json_dump.h"
+#include "runtime/store/shared_cache.h"
 #include "runtime/study/run_study.h"
 #include "runtime/study/slice.h"
 #include "runtime/study/study_folder.h"
@@ -21,7 +24,7 @@ std::optional<std::vector<StudyRun>> ChosenRuns(const Study& study,
                                                 const std::string& shard,
                                                 Io& io) {
   if (const auto problem = CheckOnly(study, only)) {
-    io.err << fmt::format("error: {}\n", *problem);
+    io.err << fmt::format("error: {}\n", Escaped(*problem));
     return std::nullopt;
   }
   return RunsIn(study, only, ParseShard(shard).value_or(Shard{}));
@@ -55,6 +58,17 @@ RunEnd Execute(const RunTask& task, const StudyRunCommand& command, Io& io) {
   request.cache = command.cache;
   request.quiet = command.quiet;
   return EndOf(ExecuteRun(request, io));
+}
+
+/// The cache first: where it cannot be opened, no folder is made.
+std::optional<std::string> Prepare(const StudyRunCommand& command,
+                                   const Study& study) {
+  SharedCache cache;
+  if (!command.cache.empty())
+    if (auto failure = cache.Open(command.cache)) return failure;
+  auto failure = PrepareFolder(command.output, study);
+  if (failure) cache.Discard();
+  return failure;
 }
 
 std::string StepText(StudyStep step, const RunReport& report) {
@@ -100,7 +114,7 @@ Exit Conclude(const StudyRunCommand& command, const Study& study,
     io.err << fmt::format(
         "the study {} in {}; go on with\n  {}\n",
         result.end == RunEnd::kStopped ? "was stopped" : "failed",
-        RunName(study, *result.stopped_in), CommandText(command));
+        Escaped(RunName(study, *result.stopped_in)), CommandText(command));
   switch (result.end) {
     case RunEnd::kStopped:
       return Exit::kInterrupted;
@@ -124,16 +138,16 @@ Exit Run(const StudyListCommand& command, Io& io) {
     evaluations += Evaluations(experiment);
     if (command.format == OutputFormat::kText) {
       io.out << fmt::format("{:16} seed {:<20}  {} evaluations\n",
-                            RunName(*study, run), experiment.seed,
+                            Escaped(RunName(*study, run)), experiment.seed,
                             Evaluations(experiment));
       continue;
     }
     nlohmann::ordered_json json;
     json["experiment"] = study->experiments[run.experiment].name;
     json["repetition"] = run.repetition;
-    json["seed"] = experiment.seed;
+    json["seed"] = std::to_string(experiment.seed);
     json["evaluations"] = Evaluations(experiment);
-    io.out << json.dump() << '\n';
+    io.out << DumpJson(json) << '\n';
   }
   if (command.format == OutputFormat::kText)
     io.out << fmt::format("{}, {} evaluations\n", Plural(runs->size()),
@@ -146,20 +160,25 @@ Exit Run(const StudyRunCommand& command, Io& io) {
   if (!study) return Exit::kBadInput;
   const auto runs = ChosenRuns(*study, command.only, command.shard, io);
   if (!runs) return Exit::kBadInput;
-  if (const auto failure = PrepareFolder(command.output, *study)) {
-    io.err << fmt::format("error: {}\n", *failure);
+  if (const auto failure = Prepare(command, *study)) {
+    io.err << fmt::format("error: {}\n", Escaped(*failure));
     return Exit::kBadInput;
   }
   const InterruptHandler handler;
   StudyOptions options;
   options.execute = [&](const RunTask& task) {
+    // Another study's folder, or none, may be there since the last run.
+    if (const auto failure = CheckFolder(command.output, *study)) {
+      io.err << fmt::format("error: {}\n", *failure);
+      return RunEnd::kFailed;
+    }
     return Execute(task, command, io);
   };
   options.on_step = [&](const StudyRun& run, StudyStep step,
                         const RunReport& report) {
     if (command.quiet && step != StudyStep::kDamaged) return;
-    io.err << fmt::format("{} {}\n", RunName(*study, run),
-                          StepText(step, report));
+    io.err << fmt::format("{} {}\n", Escaped(RunName(*study, run)),
+                          Escaped(StepText(step, report)));
   };
   const StudyResult result = RunStudy(command.output, *study, *runs, options);
   return Conclude(command, *study, runs->size(), result, io);

@@ -4,7 +4,9 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 
+#include "grammar/shown_line.h"
 #include "runtime/cli/commands.h"
+#include "runtime/formats/json_dump.h"
 #include "runtime/study/run_report.h"
 #include "runtime/study/study_folder.h"
 
@@ -18,7 +20,7 @@ constexpr double kCentimetres = 100;
 std::string SpeedsText(const RunReport& report) {
   std::string text;
   for (const SeasonSpeed& season : report.best) {
-    text += season.season + " ";
+    text += Escaped(season.season) + " ";
     text += season.speed ? fmt::format("{:.2f} ", kCentimetres * *season.speed)
                          : "- ";
   }
@@ -37,7 +39,7 @@ void PrintRow(const Study& study, const StudyRun& run, const RunReport& report,
               std::ostream& out) {
   const Experiment& experiment = study.experiments[run.experiment].experiment;
   const std::string line = fmt::format(
-      "{:16} {:10} {:>11} {:>13}  {}", RunName(study, run),
+      "{:16} {:10} {:>11} {:>13}  {}", Escaped(RunName(study, run)),
       StateName(report.state),
       fmt::format("{}/{}", report.generations, experiment.generations),
       fmt::format("{}/{}", report.evaluations, Evaluations(experiment)),
@@ -56,7 +58,7 @@ void PrintJson(const std::string& folder, const Study& study,
   nlohmann::ordered_json json;
   json["experiment"] = study.experiments[run.experiment].name;
   json["repetition"] = run.repetition;
-  json["seed"] = experiment.seed;
+  json["seed"] = std::to_string(experiment.seed);
   json["run"] = RunPath(folder, study, run);
   json["state"] = StateName(report.state);
   json["generations"] = report.generations;
@@ -70,7 +72,7 @@ void PrintJson(const std::string& folder, const Study& study,
     json["best_speed"][season.season] =
         season.speed ? nlohmann::ordered_json(*season.speed)
                      : nlohmann::ordered_json(nullptr);
-  out << json.dump() << '\n';
+  out << DumpJson(json) << '\n';
 }
 
 void PrintTotals(const Totals& totals, std::ostream& out) {
@@ -96,7 +98,7 @@ void PrintTotals(const Totals& totals, std::ostream& out) {
 Exit Run(const StudyStatusCommand& command, Io& io) {
   const Loaded<Study> study = StudyIn(command.folder);
   if (!study) {
-    io.err << fmt::format("error: {}\n", study.failure());
+    io.err << fmt::format("error: {}\n", Escaped(study.failure()));
     return Exit::kBadInput;
   }
   const bool is_text = command.format == OutputFormat::kText;
@@ -118,7 +120,7 @@ Exit Run(const StudyStatusCommand& command, Io& io) {
   }
   if (is_text) PrintTotals(totals, io.out);
   for (const std::string& problem : totals.problems)
-    io.err << fmt::format("error: {}\n", problem);
+    io.err << fmt::format("error: {}\n", Escaped(problem));
   return totals.problems.empty() ? Exit::kFine : Exit::kBadInput;
 }
 

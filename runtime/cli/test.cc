@@ -6,10 +6,12 @@
 #include <thread>
 
 #include "runtime/cli/commands.h"
+#include "runtime/cli/output_path.h"
 #include "runtime/cli/test_file.h"
 #include "runtime/cli/test_files.h"
 #include "runtime/cli/test_junit.h"
 #include "runtime/cli/test_report.h"
+#include "runtime/evolve/worker_count.h"
 
 namespace plsc::cli {
 
@@ -50,6 +52,15 @@ void WriteGolden(TestOutcome& outcome) {
                                tested.paths.golden, *failure)}};
 }
 
+Output OutputOf(const TestCommand& command) {
+  Output output{command.output, OutputKind::kTestText, command.force,
+                command.paths};
+  if (command.format == TestFormat::kJson) output.kind = OutputKind::kTestJson;
+  if (command.format == TestFormat::kJunit)
+    output.kind = OutputKind::kTestJunit;
+  return output;
+}
+
 // Collects what is told while the tests run.
 class Teller {
  public:
@@ -82,11 +93,7 @@ class Teller {
       io_.out << report_;
     bool is_fine = !totals_.has_failures();
     if (to_file) {
-      const auto failure = WriteFile(command_.output, report_);
-      if (failure)
-        io_.err << fmt::format("error: cannot write '{}': {}\n",
-                               command_.output, *failure);
-      is_fine = is_fine && !failure;
+      is_fine &= WriteOutput(OutputOf(command_), report_, io_);
     }
     return is_fine ? Exit::kFine : Exit::kBadInput;
   }
@@ -98,11 +105,6 @@ class Teller {
   std::string report_;
 };
 
-std::size_t JobsOf(const TestCommand& command) {
-  if (command.jobs) return static_cast<std::size_t>(*command.jobs);
-  return std::max(1U, std::thread::hardware_concurrency());
-}
-
 }  // namespace
 
 Exit Run(const TestCommand& command, Io& io) {
@@ -112,10 +114,12 @@ Exit Run(const TestCommand& command, Io& io) {
               "or a folder\n";
     return Exit::kBadUsage;
   }
+  if (!CanWrite(OutputOf(command), io)) return Exit::kBadInput;
   const FoundTests found = FindTests(command.paths);
   Teller teller(command, io);
   for (const TestedFile& problem : found.problems) teller.Tell(problem);
-  const std::size_t jobs = JobsOf(command);
+  const auto jobs =
+      static_cast<std::size_t>(WorkerCount(command.jobs.value_or(0)));
   for (std::size_t i = 0; i < found.tests.size(); i += kBatch)
     for (TestOutcome& outcome :
          RunBatch(found.tests, i, jobs, command.update)) {

@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include "compiler/compile.h"
+#include "grammar/shown_line.h"
 #include "runtime/cli/io.h"
 #include "runtime/derive.h"
 #include "runtime/environment.h"
@@ -44,7 +45,7 @@ std::string Explain(const std::vector<Diagnostic>& diagnostics,
 
 std::string Unreadable(const Result<Source>& source) {
   const Diagnostic& problem = source.diagnostics()[0];
-  return fmt::format("error[{}]: {}\n", problem.code, problem.message);
+  return fmt::format("error[{}]: {}\n", problem.code, Escaped(problem.message));
 }
 
 std::string NamesOf(const Program& program) {

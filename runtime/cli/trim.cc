@@ -1,4 +1,5 @@
 #include "runtime/trim.h"
+#include "grammar/shown_line.h"
 
 #include <fmt/format.h>
 
@@ -11,6 +12,7 @@
 #include "runtime/cli/output_path.h"
 #include "runtime/cli/program.h"
 #include "runtime/cli/recorded_life.h"
+#include "runtime/formats/json_dump.h"
 #include "runtime/season_environments.h"
 
 namespace plsc::cli {
@@ -66,7 +68,7 @@ std::string NamesOf(const ComparedRegime& regime) {
 void TellProof(const Source& source, const Trimmed& trimmed, Io& io) {
   for (const TrimmedGenotype& one : trimmed.genotypes) {
     io.err << fmt::format(
-        "{}: {}: {}, {} and {} left out\n", source.name(), one.name,
+        "{}: {}: {}, {} and {} left out\n", Escaped(source.name()), one.name,
         Of(one.after.symbols, one.before.symbols, "symbols"),
         Of(one.after.rules, one.before.rules, "rules"),
         Of(one.after.terms, one.before.terms, "terms of clauses"));
@@ -99,19 +101,28 @@ bool PutIntoSeasons(const std::string& scenario_file, const LoadedFile& file,
   return true;
 }
 
+Output OutputOf(const TrimCommand& command) {
+  return {command.output,
+          OutputKind::kGenotype,
+          command.force,
+          {SplitGenotypePath(command.file).file, command.scenario}};
+}
+
 // Whether the text went where it was wanted.
 bool Deliver(const TrimCommand& command, const Source& source,
              const Trimmed& trimmed, Io& io) {
   if (command.check) return true;
-  const std::string& path = command.write ? source.name() : command.output;
-  if (path.empty()) {
-    if (command.format == OutputFormat::kText) io.out << trimmed.text;
-    return true;
+  if (!command.write) {
+    // The text is in the JSON, too.
+    const bool is_told =
+        command.output.empty() && command.format == OutputFormat::kJson;
+    return is_told || WriteOutput(OutputOf(command), trimmed.text, io);
   }
-  if (command.write && trimmed.text == source.text()) return true;
-  const auto failure = WriteFile(path, trimmed.text);
+  if (trimmed.text == source.text()) return true;
+  const auto failure = WriteFile(source.name(), trimmed.text);
   if (failure)
-    io.err << fmt::format("error: cannot write '{}': {}\n", path, *failure);
+    io.err << fmt::format("error: cannot write '{}': {}\n", source.name(),
+                          *failure);
   return !failure;
 }
 
@@ -123,8 +134,7 @@ Exit Run(const TrimCommand& command, Io& io) {
     io.err << "plsc: --write wants a file, not standard input\n";
     return Exit::kBadUsage;
   }
-  if (!CanWrite(command.output, {input, command.scenario}, io))
-    return Exit::kBadInput;
+  if (!CanWrite(OutputOf(command), io)) return Exit::kBadInput;
   const auto file = LoadFile(command.file, command.allow_range, io);
   if (!file) return Exit::kBadInput;
   TrimOptions options;
@@ -139,7 +149,7 @@ Exit Run(const TrimCommand& command, Io& io) {
   }
   if (!Deliver(command, file->source, *trimmed, io)) return Exit::kBadInput;
   if (command.format == OutputFormat::kJson)
-    io.out << TrimJson(file->source, *trimmed).dump() << '\n';
+    io.out << DumpJson(TrimJson(file->source, *trimmed)) << '\n';
   else
     TellProof(file->source, *trimmed, io);
   const bool would_change = trimmed->text != file->source.text();

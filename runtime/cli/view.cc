@@ -31,18 +31,14 @@ Exit Run(const ViewCommand& command, Io& io) {
     io.err << "error: this plsc was built without npm, and has no pages\n";
     return Exit::kBadInput;
   }
-  if (!CanWrite(command.output, command.inputs, io)) return Exit::kBadInput;
+  if (!CanWrite(PageOf(command), io)) return Exit::kBadInput;
   const InterruptHandler handler;
   const auto lives = LoadLives(command, io);
   if (InterruptHandler::is_interrupted()) return Exit::kInterrupted;
   if (!lives) return Exit::kBadInput;
   const std::string page =
       PageHtml(PageKind::kView, TitleOf(*lives), ViewJson(*lives));
-  if (const auto failure = WriteFile(command.output, page)) {
-    io.err << fmt::format("error: cannot write '{}': {}\n", command.output,
-                          *failure);
-    return Exit::kBadInput;
-  }
+  if (!WriteOutput(PageOf(command), page, io)) return Exit::kBadInput;
   io.err << fmt::format("wrote {}\n", command.output);
   return Exit::kFine;
 }

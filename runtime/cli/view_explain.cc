@@ -74,10 +74,16 @@ std::optional<std::vector<RobotAsked>> AskedOf(const ViewCommand& command,
 
 }  // namespace
 
+Output PageOf(const ViewCommand& command) {
+  std::vector<std::string> inputs = command.inputs;
+  inputs.push_back(command.scenario);
+  return {command.output, OutputKind::kPage, command.force, std::move(inputs)};
+}
+
 Exit Explain(const ViewCommand& command, Io& io) {
   if (!HasPages())
     return Complain("this plsc was built without npm, and has no pages", io);
-  if (!CanWrite(command.output, command.inputs, io)) return Exit::kBadInput;
+  if (!CanWrite(PageOf(command), io)) return Exit::kBadInput;
   const auto asked = AskedOf(command, io);
   if (!asked) return Exit::kBadInput;
   std::vector<ExplainedRobot> robots;
@@ -89,9 +95,7 @@ Exit Explain(const ViewCommand& command, Io& io) {
   const std::string page =
       PageHtml(PageKind::kExplain, robots.front().title + " explained",
                ExplainJson(robots));
-  if (const auto failure = WriteFile(command.output, page))
-    return Complain(
-        fmt::format("cannot write '{}': {}", command.output, *failure), io);
+  if (!WriteOutput(PageOf(command), page, io)) return Exit::kBadInput;
   io.err << fmt::format("wrote {}\n", command.output);
   return Exit::kFine;
 }

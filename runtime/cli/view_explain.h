@@ -4,8 +4,12 @@
 // The replays of `plsc view` are in view.cc.
 
 #include "runtime/cli/commands.h"
+#include "runtime/cli/output_path.h"
 
 namespace plsc::cli {
+
+/// Of both kinds of pages.
+Output PageOf(const ViewCommand& command);
 
 /// Of a ViewCommand with `explain`: its inputs are genotypes.
 Exit Explain(const ViewCommand& command, Io& io);

@@ -11,6 +11,7 @@
 #include <utility>
 #include <variant>
 
+#include "grammar/shown_line.h"
 #include "runtime/cli/interrupt.h"
 #include "runtime/cli/load_yaml.h"
 #include "runtime/cli/open_run.h"
@@ -72,7 +73,8 @@ std::optional<Viewed> LoadRecording(const std::string& path, Io& io) {
   Result<Source> source = ReadSource(path, io);
   if (!source) {
     const Diagnostic& problem = source.diagnostics()[0];
-    io.err << fmt::format("error[{}]: {}\n", problem.code, problem.message);
+    io.err << fmt::format("error[{}]: {}\n", problem.code,
+                          Escaped(problem.message));
     return std::nullopt;
   }
   Result<Recording> recording = ParseRecording(*source);
@@ -155,7 +157,7 @@ std::optional<ViewedLife> LiveNow(const ToLive& one, Io& io) {
   }
   std::string remark = RemarkOn(one, results);
   if (!remark.empty())
-    io.err << fmt::format("warning: {}: {}\n", one.source, remark);
+    io.err << fmt::format("warning: {}: {}\n", Escaped(one.source), remark);
   return ViewedLife{one.source, std::move(remark), life.recording()};
 }
 

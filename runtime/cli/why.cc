@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "compiler/print.h"
+#include "grammar/shown_line.h"
 #include "runtime/cli/commands.h"
 #include "runtime/cli/program.h"
 #include "runtime/cli/robot_source.h"
@@ -62,7 +63,8 @@ std::optional<PhenotypePart> PartOf(const WhyCommand& command) {
 std::string Heading(const Genotype& genotype, const NamedEnvironment& named) {
   const std::string senses =
       PrintEnvironment(named.environment, genotype.states);
-  std::string text = fmt::format("{} in {}", genotype.name, named.name);
+  std::string text =
+      fmt::format("{} in {}", genotype.name, Escaped(named.name));
   if (!senses.empty() && senses != named.name)
     text += fmt::format(" ({})", senses);
   return text;
@@ -123,7 +125,7 @@ std::optional<SymbolPlace> FindPlace(const LoadedProgram& loaded,
   const auto place = FindSymbol(loaded.mapped.map, *offset);
   if (!place)
     io.err << "error: no symbol of a production is here\n"
-           << PlaceExcerpt(loaded.source, {*offset, *offset}, "")
+           << RenderPlace({*offset, *offset}, "", loaded.source)
            << "  = help: point at a symbol between the braces of a rule\n";
   return place;
 }
@@ -161,10 +163,9 @@ Exit Explain(const LoadedProgram& loaded, const Question& question,
     io.out
         << fmt::format("{} of {}\n", SymbolText(genotype, written),
                        RuleText(genotype, written.rule))
-        << PlaceExcerpt(
-               loaded.source,
+        << RenderPlace(
                loaded.mapped.map.rules[written.rule].symbols[written.position],
-               "");
+               "", loaded.source);
   }
   bool is_found = false;
   for (const NamedEnvironment& named : *environments) {

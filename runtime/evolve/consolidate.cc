@@ -16,13 +16,16 @@ bool Dominates(const SeasonFitnesses& a, const SeasonFitnesses& b) {
   return is_better_somewhere;
 }
 
-std::vector<int> DominationCounts(const std::vector<SeasonFitnesses>& set) {
+std::vector<int> DominationCounts(const std::vector<SeasonFitnesses>& set,
+                                  const std::function<bool()>& should_stop) {
   std::vector<int> counts;
   counts.reserve(set.size());
-  for (const SeasonFitnesses& one : set)
+  for (const SeasonFitnesses& one : set) {
+    if (should_stop && should_stop()) break;
     counts.push_back(static_cast<int>(std::count_if(
         set.begin(), set.end(),
         [&](const SeasonFitnesses& other) { return Dominates(one, other); })));
+  }
   return counts;
 }
 

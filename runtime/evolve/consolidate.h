@@ -3,6 +3,7 @@
 // One number for the fitness of many seasons (paper, Eq. 3; authors'
 // program, population.py:167): how many others an individual dominates.
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -19,7 +20,11 @@ bool Dominates(const SeasonFitnesses& a, const SeasonFitnesses& b);
 
 /// Of each individual, the number of others that it dominates: the
 /// consolidated fitness, comparable only within the same set. With one season
-/// it orders individuals exactly as their fitness does.
-std::vector<int> DominationCounts(const std::vector<SeasonFitnesses>& set);
+/// it orders individuals exactly as their fitness does. Takes time by the
+/// square of the set; fewer where `should_stop`, asked between individuals,
+/// says so.
+std::vector<int> DominationCounts(
+    const std::vector<SeasonFitnesses>& set,
+    const std::function<bool()>& should_stop = {});
 
 }  // namespace plsc

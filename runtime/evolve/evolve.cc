@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cassert>
+#include <functional>
 #include <iterator>
+#include <optional>
 #include <utility>
 
 #include "runtime/evolve/breed.h"
@@ -18,18 +20,17 @@ namespace {
 // How long a stop may stay unseen; SIGINT ends the waiting at once.
 constexpr int kPatience = 100;  // ms
 
+// Pools up to here, by tournaments up to there, are selected in a moment,
+// mostly of milliseconds: who asks for a stop meanwhile gets the generation
+// completed.
+constexpr std::size_t kSmallPool = 1000;
+constexpr int kSmallTournament = 10;
+
 std::vector<int> IdsOf(const std::vector<Individual>& individuals) {
   std::vector<int> ids;
   ids.reserve(individuals.size());
   for (const Individual& one : individuals) ids.push_back(one.id);
   return ids;
-}
-
-std::vector<int> CountsOf(const std::vector<Individual>& pool) {
-  std::vector<SeasonFitnesses> fitnesses;
-  fitnesses.reserve(pool.size());
-  for (const Individual& one : pool) fitnesses.push_back(FitnessesOf(one));
-  return DominationCounts(fitnesses);
 }
 
 std::size_t BestOf(const std::vector<Individual>& population,
@@ -40,26 +41,6 @@ std::size_t BestOf(const std::vector<Individual>& population,
         (counts[i] == counts[best] && population[i].id < population[best].id))
       best = i;
   return best;
-}
-
-std::vector<SeasonProgress> Summarise(const std::vector<Individual>& robots) {
-  std::vector<SeasonProgress> summary;
-  std::vector<SeasonFitnesses> all;
-  for (const Individual& robot : robots) {
-    const auto& seasons = robot.evaluation.seasons;
-    all.resize(seasons.empty() ? all.size() : seasons.size());
-    if (summary.empty())
-      for (const SeasonResult& season : seasons)
-        summary.push_back({season.season, {}, {}});
-    for (std::size_t i = 0; i < seasons.size(); ++i)
-      all[i].push_back(seasons[i].fitness);
-  }
-  for (std::size_t i = 0; i < summary.size(); ++i) {
-    std::sort(all[i].begin(), all[i].end());
-    summary[i].best = all[i].back();
-    summary[i].median = all[i][(all[i].size() - 1) / 2];
-  }
-  return summary;
 }
 
 // One run. Each function that can end it returns whether it goes on.
@@ -77,6 +58,7 @@ class Run {
     result_.population = options.saved->population;
     result_.counts = options.saved->counts;
     next_id_ = FirstIdOf(result_.generations);
+    Summarise(result_.population);
   }
 
   RunResult Live() {
@@ -117,11 +99,15 @@ class Run {
   bool Begin() {
     std::vector<Individual> robots;
     robots.reserve(static_cast<std::size_t>(experiment_.population));
-    for (int i = 0; i < experiment_.population; ++i)
+    for (int i = 0; i < experiment_.population; ++i) {
+      if (IsStopped()) return false;
       robots.push_back(CreateFirst(experiment_, next_id_++));
+    }
     if (!Judge(robots)) return false;
     const std::vector<int> ids = IdsOf(robots);
-    result_.counts = CountsOf(robots);
+    std::optional<std::vector<int>> counts = CountsOf(robots);
+    if (!counts) return false;
+    result_.counts = std::move(*counts);
     result_.population = std::move(robots);
     return Complete({0, ids, result_.counts, ids, 0});
   }
@@ -129,26 +115,62 @@ class Run {
   bool Continue(int generation) {
     std::vector<Individual> children;
     children.reserve(static_cast<std::size_t>(experiment_.offspring));
-    for (int i = 0; i < experiment_.offspring; ++i)
+    for (int i = 0; i < experiment_.offspring; ++i) {
+      if (IsStopped()) return false;
       children.push_back(CreateChild(experiment_, generation, next_id_++,
                                      result_.population, result_.counts));
+    }
     if (!Judge(children)) return false;
     std::vector<Individual> all = std::move(result_.population);
     std::move(children.begin(), children.end(), std::back_inserter(all));
-    const std::vector<int> counts = CountsOf(all);
-    GenerationRecord record = {generation, IdsOf(all), counts, {}, 0};
+    std::optional<GenerationRecord> record = Select(generation, all);
+    if (!record) {
+      // The parents, who are still the last completed generation.
+      all.resize(result_.counts.size());
+      result_.population = std::move(all);
+      return false;
+    }
+    return Complete(std::move(*record));
+  }
+
+  /// Leaves the survivors in the result; nothing, and all as it was, where a
+  /// stop is asked for meanwhile.
+  std::optional<GenerationRecord> Select(int generation,
+                                         std::vector<Individual>& all) {
+    std::optional<std::vector<int>> counts = CountsOf(all);
+    if (!counts) return std::nullopt;
     Rng rng({experiment_.seed, static_cast<std::uint64_t>(generation), 0,
              Purpose::kSelectSurvivors});
+    const auto size = static_cast<std::size_t>(experiment_.population);
+    const std::vector<std::size_t> survivors = SelectDistinct(
+        *counts, size, experiment_.tournament, rng, StopFor(all));
+    if (survivors.size() < size) return std::nullopt;
+    GenerationRecord record = {generation, IdsOf(all), *counts, {}, 0};
     result_.population.clear();
     result_.counts.clear();
-    for (const std::size_t i : SelectDistinct(
-             counts, static_cast<std::size_t>(experiment_.population),
-             experiment_.tournament, rng)) {
+    for (const std::size_t i : survivors) {
       result_.population.push_back(std::move(all[i]));
-      result_.counts.push_back(counts[i]);
+      result_.counts.push_back((*counts)[i]);
     }
     record.survivors = IdsOf(result_.population);
-    return Complete(std::move(record));
+    return record;
+  }
+
+  /// What selection from the pool is to ask.
+  std::function<bool()> StopFor(const std::vector<Individual>& pool) {
+    if (pool.size() <= kSmallPool && experiment_.tournament <= kSmallTournament)
+      return {};
+    return [this] { return IsStopped(); };
+  }
+
+  std::optional<std::vector<int>> CountsOf(
+      const std::vector<Individual>& pool) {
+    std::vector<SeasonFitnesses> fitnesses;
+    fitnesses.reserve(pool.size());
+    for (const Individual& one : pool) fitnesses.push_back(FitnessesOf(one));
+    std::vector<int> counts = DominationCounts(fitnesses, StopFor(pool));
+    if (counts.size() < pool.size()) return std::nullopt;
+    return counts;
   }
 
   bool Complete(GenerationRecord record) {
@@ -158,26 +180,30 @@ class Run {
     for (RunObserver* observer : options_.observers)
       if (auto failure = observer->OnGeneration(record))
         return Fail(std::move(*failure));
+    Summarise(result_.population);
     return true;
   }
 
   /// Evaluates all that were not before the run was left.
   bool Judge(std::vector<Individual>& robots) {
     for (RunObserver* observer : options_.observers)
-      if (auto failure = observer->OnBirths(robots))
+      if (auto failure =
+              observer->OnBirths(robots, [this] { return IsStopped(); }))
         return Fail(std::move(*failure));
+    if (IsStopped()) return false;
     if (options_.saved)
       for (Individual& robot : robots)
         if (const auto known = options_.saved->evaluated.find(robot.id);
             known != options_.saved->evaluated.end())
           robot.evaluation = known->second;
+    if (result_.population.empty()) Summarise(robots);
     judging_.Begin(robots);
     while (judging_.outstanding() > 0) {
-      StopIfAsked();
+      if (IsStopped()) judging_.Cancel();
       const std::vector<Verdict> verdicts = judging_.Wait(kPatience);
       for (const Verdict& verdict : verdicts)
         if (!Show(verdict, robots)) return false;
-      if (!verdicts.empty()) Tell(robots);
+      if (!verdicts.empty()) Tell(robots.front().generation);
       if (judging_.failure()) return Fail(*judging_.failure());
       if (result_.ending == Ending::kStopped && workers_->outstanding() == 0 &&
           verdicts.empty())
@@ -193,13 +219,16 @@ class Run {
       if (auto failure = observer->OnEvaluated(robot, verdict.life.evidence))
         return Fail(std::move(*failure));
     ++result_.evaluations;
+    if (result_.population.empty()) summary_.Add(robot.evaluation);
     return true;
   }
 
-  void StopIfAsked() {
-    if (!options_.should_stop || !options_.should_stop()) return;
-    result_.ending = Ending::kStopped;
-    workers_->CancelWaiting();
+  /// Once it is, it stays so.
+  bool IsStopped() {
+    if (result_.ending != Ending::kStopped && options_.should_stop &&
+        options_.should_stop())
+      result_.ending = Ending::kStopped;
+    return result_.ending == Ending::kStopped;
   }
 
   bool Fail(std::string failure) {
@@ -208,10 +237,15 @@ class Run {
     return false;
   }
 
-  void Tell(const std::vector<Individual>& robots) const {
+  void Summarise(const std::vector<Individual>& robots) {
+    summary_ = {};
+    for (const Individual& robot : robots) summary_.Add(robot.evaluation);
+  }
+
+  void Tell(int generation) const {
     if (!options_.on_progress) return;
     Progress progress;
-    progress.generation = robots.front().generation;
+    progress.generation = generation;
     progress.evaluations = result_.evaluations;
     progress.total = Evaluations(experiment_);
     progress.workers = workers_->workers();
@@ -219,8 +253,7 @@ class Run {
     progress.simulations = judging_.counts().simulations;
     progress.looked_up = judging_.counts().looked_up;
     progress.simulated_seconds = judging_.counts().simulated_seconds;
-    progress.seasons =
-        Summarise(result_.population.empty() ? robots : result_.population);
+    progress.seasons = summary_.Told();
     options_.on_progress(progress);
   }
 
@@ -230,6 +263,8 @@ class Run {
   std::unique_ptr<Workers> workers_;
   Judging judging_;
   int next_id_ = 1;
+  /// Of the population; of those evaluated so far in generation 0.
+  SeasonSummary summary_;
   RunResult result_;
 };
 

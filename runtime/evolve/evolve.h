@@ -17,18 +17,11 @@
 #include "runtime/evolve/judging.h"
 #include "runtime/evolve/run_observer.h"
 #include "runtime/evolve/saved_run.h"
+#include "runtime/evolve/season_progress.h"
 #include "runtime/evolve/simulation_cache.h"
 #include "runtime/evolve/workers.h"
 
 namespace plsc {
-
-/// The best and the middle fitness of one season, m/s; nothing where that
-/// robot has no fitness.
-struct SeasonProgress {
-  std::string season;
-  std::optional<double> best;
-  std::optional<double> median;  ///< the lower of two in the middle
-};
 
 struct Progress {
   int generation = 0;            ///< being evaluated
@@ -55,8 +48,8 @@ struct EvolveOptions {
   std::vector<SimulationCache*> caches;
   /// Where the run stood when it was left; nothing: at the beginning.
   std::optional<SavedRun> saved;
-  /// Asked at least ten times a second; true ends the run when what the
-  /// workers have begun is done.
+  /// Asked at least ten times a second, whatever the run is at; true ends the
+  /// run when what the workers have begun is done.
   std::function<bool()> should_stop;
   std::function<void(const Progress&)> on_progress;
   std::vector<RunObserver*> observers;

@@ -3,21 +3,27 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <limits>
 
 #include "compiler/limits.h"
 #include "grammar/keywords.h"
 #include "runtime/scenario_yaml.h"
 #include "runtime/yaml_reader.h"
+#include "runtime/yaml_text.h"
 
 namespace plsc {
 
 namespace {
 
 constexpr int kFormat = 1;  // of experiment files, value of plsc_experiment
-// Sizes beyond which a number is a slip of the pen: a population this large
-// would take months a generation.
-constexpr int kMaxPopulation = 1'000'000;
+// Robots that are held in memory, 10 KB each, and compared each with each when
+// they are selected, minutes for so many.
+constexpr int kMaxPopulation = 100'000;
+// Symbols of all genotypes, 40 bytes each: 2 GB. Random genotypes have somewhat
+// less than the most that their options allow, evolved ones somewhat more.
+constexpr double kMaxGenotypes = 50e6;
+// Sizes beyond which a number is a slip of the pen.
 constexpr int kMaxGenerations = 1'000'000;
 constexpr int kMaxTournament = 1000;
 constexpr int kMaxGroups = 1000;
@@ -91,6 +97,11 @@ std::optional<State> ReadEnumState(State state, const YamlValue& value) {
   const auto items = value.List("values");
   if (!items) return std::nullopt;
   state.type = StateType::kEnum;
+  if (items->size() > kMaxSymbols) {
+    value.Report("P3002", fmt::format("a state has at most {} values, found {}",
+                                      kMaxSymbols, items->size()));
+    return std::nullopt;
+  }
   for (const YamlValue& item : *items)
     if (auto name = ReadName(item, "a value")) {
       const auto& known = state.values;
@@ -126,10 +137,16 @@ std::optional<State> ReadState(const YamlValue& value) {
                                  : ReadEnumState(state, entry.value);
 }
 
-std::vector<State> ReadStates(const YamlValue& value) {
+std::optional<std::vector<State>> ReadStates(const YamlValue& value) {
   std::vector<State> states;
   const auto items = value.List("states");
-  if (!items) return states;
+  if (!items) return std::nullopt;
+  if (items->size() > kMaxStates) {
+    value.Report("P3002",
+                 fmt::format("a genotype has at most {} states, found {}",
+                             kMaxStates, items->size()));
+    return std::nullopt;
+  }
   for (const YamlValue& item : *items) {
     std::optional<State> state = ReadState(item);
     if (!state) continue;
@@ -145,15 +162,27 @@ std::vector<State> ReadStates(const YamlValue& value) {
   return states;
 }
 
-/// A number, or the word max_terms. Needs max_terms.
-void ReadInitialTerms(YamlMap& map, GenotypeOptions& options) {
-  if (const auto most = map.Find("max_initial_terms"))
-    if (!most->is_scalar() || most->text() != kAsMaxTerms)
-      if (const auto number = most->Integer(0, options.max_terms))
-        options.max_initial_terms = static_cast<int>(*number);
+/// A number, or the word max_terms. `most_terms`: that it may be, what
+/// max_terms is if that is right.
+void ReadInitialTerms(YamlMap& map, int most_terms, GenotypeOptions& options) {
+  const std::size_t errors = map.place().error_count();
+  const auto most = map.Find("max_initial_terms");
+  const bool is_word = most && most->is_scalar() && !most->text().empty() &&
+                       std::isalpha(most->text()[0]) != 0;
+  if (is_word && most->text() != kAsMaxTerms)
+    most->Report("P5107",
+                 fmt::format("expected a whole number or {}, found '{}'",
+                             kAsMaxTerms, most->text()),
+                 fmt::format("write '{}'", kAsMaxTerms),
+                 std::string(kAsMaxTerms));
+  else if (most && !is_word)
+    if (const auto number = most->Integer(0, most_terms, most_terms))
+      options.max_initial_terms = static_cast<int>(*number);
+  const bool is_most_right = map.place().error_count() == errors;
   options.min_initial_terms =
       map.Int("min_initial_terms", options.min_initial_terms, 0,
-              options.max_initial_terms.value_or(options.max_terms));
+              is_most_right ? options.max_initial_terms.value_or(most_terms)
+                            : most_terms);
 }
 
 void ReadVariation(YamlMap& map, Experiment& experiment) {
@@ -172,6 +201,7 @@ void ReadVariation(YamlMap& map, Experiment& experiment) {
 
 GenotypeOptions ReadGenotype(YamlMap& map) {
   GenotypeOptions options;
+  const std::size_t errors = map.place().error_count();
   options.encoding = static_cast<Encoding>(map.Choice(
       "encoding", static_cast<std::size_t>(options.encoding), EncodingNames()));
   DevelopmentSettings& development = options.development;
@@ -180,19 +210,26 @@ GenotypeOptions ReadGenotype(YamlMap& map) {
   development.max_modules =
       map.Int("max_modules", development.max_modules, kMinModules, kMaxModules);
   development.move_to_new = map.Bool("move_to_new", development.move_to_new);
+  const std::size_t before_groups = map.place().error_count();
   options.max_groups = map.Int("max_groups", options.max_groups, 1, kMaxGroups);
-  options.min_groups =
-      map.Int("min_groups", options.min_groups, 1, options.max_groups);
+  const bool is_max_right = map.place().error_count() == before_groups;
+  options.min_groups = map.Int("min_groups", options.min_groups, 1,
+                               is_max_right ? options.max_groups : kMaxGroups);
   options.groups_per_rule =
       map.Bool("groups_per_rule", options.groups_per_rule);
   options.max_rules =
       map.Int("max_rules", options.max_rules, kMinLimit, kMaxLimit);
+  const std::size_t before_terms = map.place().error_count();
   options.max_terms =
       map.Int("max_terms", options.max_terms, kMinLimit, kMaxLimit);
-  ReadInitialTerms(map, options);
+  ReadInitialTerms(
+      map,
+      map.place().error_count() == before_terms ? options.max_terms : kMaxLimit,
+      options);
   if (const auto states = map.Find("states")) {
-    options.states = ReadStates(*states);
-    if (options.states.empty() && options.encoding == Encoding::kPlasticoding)
+    if (auto read = ReadStates(*states)) options.states = *std::move(read);
+    if (map.place().error_count() == errors && options.states.empty() &&
+        options.encoding == Encoding::kPlasticoding)
       states->Report("P5108",
                      "expected at least one state: clauses ask about them",
                      "write 'encoding: baseline' for rules without clauses");
@@ -211,6 +248,50 @@ void ReadScenarioOf(YamlMap& map, Experiment& experiment) {
   }
 }
 
+int ReadPopulation(YamlMap& map, const char* key, int otherwise, int least) {
+  const auto value = map.Find(key);
+  if (!value) return otherwise;
+  using Limits = std::numeric_limits<std::int64_t>;
+  const auto number = value->Integer(Limits::min(), Limits::max());
+  if (!number) return otherwise;
+  if (*number >= least && *number <= kMaxPopulation)
+    return static_cast<int>(*number);
+  value->Report("P5104",
+                fmt::format("expected a whole number of {} to {}, found {}",
+                            least, kMaxPopulation, *number),
+                *number > kMaxPopulation
+                    ? "all robots of a generation are held in memory, and "
+                      "each is compared with each; more generations cost "
+                      "neither"
+                    : "");
+  return otherwise;
+}
+
+/// The most that Initialise draws.
+double LargestGenotype(const GenotypeOptions& options) {
+  // Of each of the symbols that have rules, groups of five symbols a rule, and
+  // one more where its head stands in front.
+  const auto heads = PlasticodingAlphabet()->OfCategory(Category::kModule);
+  const double rules =
+      static_cast<double>(heads.size()) *
+      (options.encoding == Encoding::kPlasticoding ? options.max_rules : 1);
+  return rules * (5.0 * options.max_groups + 1);
+}
+
+void CheckSize(const YamlValue& place, const Experiment& experiment) {
+  const double robots =
+      static_cast<double>(experiment.population) + experiment.offspring;
+  const double largest = LargestGenotype(experiment.genotype);
+  if (robots * largest <= kMaxGenotypes) return;
+  place.Report(
+      "P5108",
+      fmt::format(
+          "{} robots of up to {:.0f} symbols each are more than the {:.0f} "
+          "symbols that memory is meant for",
+          robots, largest, kMaxGenotypes),
+      "make 'population', 'offspring', 'max_rules' or 'max_groups' smaller");
+}
+
 void CheckTogether(YamlMap& map, const Experiment& experiment) {
   const auto place = [&](std::string_view key) {
     return map.Find(key).value_or(map.place());
@@ -219,6 +300,7 @@ void CheckTogether(YamlMap& map, const Experiment& experiment) {
     place("generations")
         .Report("P5108", fmt::format("{} robots are more than can be numbered",
                                      Evaluations(experiment)));
+  CheckSize(place("population"), experiment);
   if (!experiment.scenario_file.empty()) return;
   for (const Diagnostic& error : CheckSenses(experiment))
     place("scenario").Report(error.code, error.message, error.help);
@@ -298,6 +380,7 @@ std::string Indented(const std::string& text, int indent) {
 
 Experiment ReadExperiment(YamlMap& map) {
   Experiment experiment;
+  const std::size_t errors = map.place().error_count();
   map.Int("plsc_experiment", kFormat, kFormat, kFormat);
   experiment.name = map.Text("name", "");
   if (const auto seed = map.Find("seed"))
@@ -305,9 +388,9 @@ Experiment ReadExperiment(YamlMap& map) {
   if (const auto robots = map.Find("robots"))
     experiment.robots = ReadName(*robots, "a name").value_or(experiment.robots);
   experiment.population =
-      map.Int("population", experiment.population, 2, kMaxPopulation);
+      ReadPopulation(map, "population", experiment.population, 2);
   experiment.offspring =
-      map.Int("offspring", experiment.offspring, 1, kMaxPopulation);
+      ReadPopulation(map, "offspring", experiment.offspring, 1);
   experiment.generations =
       map.Int("generations", experiment.generations, 1, kMaxGenerations);
   experiment.mutation =
@@ -319,8 +402,8 @@ Experiment ReadExperiment(YamlMap& map) {
   ReadVariation(map, experiment);
   experiment.genotype = ReadGenotype(map);
   ReadScenarioOf(map, experiment);
-  CheckTogether(map, experiment);
   map.Close();
+  if (map.place().error_count() == errors) CheckTogether(map, experiment);
   return experiment;
 }
 

@@ -7,39 +7,80 @@
 
 namespace plsc {
 
+namespace {
+
+// Requests that workers have before them, for each: enough that none waits
+// while its owner stores what came before, and that MPI's ranks get some in
+// advance; few enough that they take no memory to speak of (5 KB each).
+constexpr int kAhead = 16;
+
+// Robots that are planned in one go. Most take less than a millisecond, those
+// of the longest strings a second.
+constexpr int kPlans = 16;
+
+}  // namespace
+
 void Judging::Begin(const std::vector<Individual>& robots) {
   assert(outstanding_ == 0 && workers_.outstanding() == 0);
   robots_ = &robots;
+  next_ = 0;
   orders_.clear();
   tickets_.clear();
   lives_.assign(robots.size(), {});
-  for (std::size_t i = 0; i < robots.size(); ++i) {
-    if (!robots[i].evaluation.seasons.empty()) continue;
-    ++outstanding_;
-    lives_[i].seasons.resize(planner_.scenario().seasons.size());
-    std::vector<LifePiece> pieces =
-        planner_.Plan(robots[i].genotype, robots[i].heritage.senses);
-    lives_[i].pieces = pieces.size();
-    if (pieces.empty()) known_.push_back(i);
-    for (LifePiece& piece : pieces) Take(i, std::move(piece));
+  for (const Individual& robot : robots)
+    outstanding_ += robot.evaluation.seasons.empty() ? 1 : 0;
+}
+
+void Judging::Cancel() {
+  next_ = robots_->size();
+  workers_.CancelWaiting();
+}
+
+bool Judging::HasRoom() const {
+  return workers_.outstanding() < kAhead * (1 + workers_.workers());
+}
+
+/// Whether there is room for more at once.
+bool Judging::PlanSome() {
+  for (int planned = 0; planned < kPlans && next_ < robots_->size(); ++next_) {
+    if (!HasRoom()) return false;
+    if (!(*robots_)[next_].evaluation.seasons.empty()) continue;
+    Plan(next_);
+    ++planned;
   }
+  return next_ < robots_->size() && HasRoom();
+}
+
+void Judging::Plan(std::size_t robot) {
+  const Individual& one = (*robots_)[robot];
+  lives_[robot].seasons.resize(planner_.scenario().seasons.size());
+  std::vector<LifePiece> pieces =
+      planner_.Plan(one.genotype, one.heritage.senses);
+  lives_[robot].pieces = pieces.size();
+  if (pieces.empty()) known_.push_back(robot);
+  for (LifePiece& piece : pieces) Take(robot, std::move(piece));
 }
 
 void Judging::Take(std::size_t robot, LifePiece piece) {
   const auto seasons = static_cast<std::int64_t>(piece.keys.size());
-  const auto ticket = tickets_.find(piece.keys.front());
+  const Place place = {robot, piece.first};
+  const auto ticket = tickets_.find(piece.keys);
   if (ticket != tickets_.end()) {
     counts_.looked_up += seasons;
-    orders_[ticket->second].robots.push_back(robot);
+    Order& order = orders_[ticket->second];
+    if (order.simulated.empty())
+      order.places.push_back(place);
+    else
+      Fill(place, order.simulated);
   } else if (const auto known = LookUp(piece)) {
     counts_.looked_up += seasons;
-    Fill(robot, piece, *known);
+    Fill(place, *known);
   } else {
     const Individual& one = (*robots_)[robot];
     workers_.Submit(static_cast<int>(orders_.size()),
                     RequestFor(one.genotype, one.heritage.senses, piece));
-    tickets_[piece.keys.front()] = orders_.size();
-    orders_.push_back({std::move(piece), {robot}});
+    tickets_[piece.keys] = orders_.size();
+    orders_.push_back({std::move(piece), {place}, {}});
   }
 }
 
@@ -56,12 +97,14 @@ std::optional<std::vector<Simulated>> Judging::LookUp(const LifePiece& piece) {
   return std::nullopt;
 }
 
-void Judging::Fill(std::size_t robot, const LifePiece& piece,
+void Judging::Fill(const Place& place,
                    const std::vector<Simulated>& simulated) {
-  OpenLife& life = lives_[robot];
-  for (std::size_t i = 0; i < simulated.size(); ++i)
-    life.seasons[piece.first + i] = simulated[i];
-  if (--life.pieces == 0) known_.push_back(robot);
+  OpenLife& life = lives_[place.robot];
+  for (std::size_t i = 0; i < simulated.size(); ++i) {
+    assert(!life.seasons[place.first + i]);
+    life.seasons[place.first + i] = simulated[i];
+  }
+  if (--life.pieces == 0) known_.push_back(place.robot);
 }
 
 double Judging::StepOf(std::size_t season) const {
@@ -69,26 +112,32 @@ double Judging::StepOf(std::size_t season) const {
 }
 
 void Judging::Receive(const Reply& reply) {
-  const Order& order = orders_[static_cast<std::size_t>(reply.ticket)];
+  Order& order = orders_[static_cast<std::size_t>(reply.ticket)];
   const LifePiece& piece = order.piece;
-  const std::vector<Simulated> simulated =
-      SimulatedOf(reply, piece.keys.size());
+  order.simulated = SimulatedOf(reply, piece.keys.size());
+  const std::vector<Simulated>& simulated = order.simulated;
   counts_.simulations += static_cast<std::int64_t>(piece.keys.size());
   for (std::size_t i = 0; i < simulated.size(); ++i) {
     counts_.simulated_seconds +=
         static_cast<double>(simulated[i].steps) * StepOf(piece.first + i);
     // A death may be bad luck; nobody else should have it.
-    if (simulated[i].outcome == Outcome::kWorkerDied) continue;
+    if (simulated[i].outcome == Outcome::kWorkerDied) {
+      tickets_.erase(piece.keys);
+      continue;
+    }
     for (SimulationCache* cache : caches_)
       if (auto failure = cache->Add(piece.keys[i], simulated[i]))
         failure_ = std::move(failure);
   }
-  for (const std::size_t robot : order.robots) Fill(robot, piece, simulated);
+  for (const Place& place : order.places) Fill(place, simulated);
+  order.places = {};
 }
 
 std::vector<Verdict> Judging::Wait(int timeout_ms) {
+  const bool has_more = PlanSome();
   if (known_.empty()) {
-    for (const Reply& reply : workers_.Wait(timeout_ms)) Receive(reply);
+    for (const Reply& reply : workers_.Wait(has_more ? 0 : timeout_ms))
+      Receive(reply);
     if (workers_.failure() && workers_.outstanding() > 0)
       failure_ = workers_.failure();
   }

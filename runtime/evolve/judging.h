@@ -1,7 +1,9 @@
 #pragma once
 
 // One generation before the judges: every piece of every life is looked up, or
-// simulated by a worker, once, however many robots live it.
+// simulated by a worker, once, however many robots live it. Lives are planned
+// while the workers work, not much before it is their turn: what waits for a
+// worker takes memory, and who asks for a stop does not wait for plans.
 
 #include <cstddef>
 #include <cstdint>
@@ -44,6 +46,8 @@ class Judging {
   /// In the order in which they become known; waits at most `timeout_ms`, and
   /// not at all if there are some.
   std::vector<Verdict> Wait(int timeout_ms);
+  /// Nothing more is planned or begun; Wait tells of what was begun.
+  void Cancel();
   /// Verdicts still to come.
   std::size_t outstanding() const { return outstanding_; }
   /// What went wrong, if no more verdicts will come.
@@ -55,15 +59,25 @@ class Judging {
     std::vector<std::optional<Simulated>> seasons;
     std::size_t pieces = 0;  // not known yet
   };
+  // A simulation is a function of its keys alone, so whoever lives the same may
+  // live it in other seasons than whom it was ordered for: another robot, or
+  // the same one again.
+  struct Place {
+    std::size_t robot = 0;
+    std::size_t first = 0;  // season
+  };
   struct Order {
-    LifePiece piece;
-    std::vector<std::size_t> robots;  // who live it
+    LifePiece piece;                   // of whom it is simulated for
+    std::vector<Place> places;         // where it is lived and not known yet
+    std::vector<Simulated> simulated;  // an item a season once it is done
   };
 
+  bool HasRoom() const;
+  bool PlanSome();
+  void Plan(std::size_t robot);
   void Take(std::size_t robot, LifePiece piece);
   std::optional<std::vector<Simulated>> LookUp(const LifePiece& piece);
-  void Fill(std::size_t robot, const LifePiece& piece,
-            const std::vector<Simulated>& simulated);
+  void Fill(const Place& place, const std::vector<Simulated>& simulated);
   void Receive(const Reply& reply);
   double StepOf(std::size_t season) const;
 
@@ -71,10 +85,11 @@ class Judging {
   Workers& workers_;
   std::vector<SimulationCache*> caches_;
   const std::vector<Individual>* robots_ = nullptr;
+  std::size_t next_ = 0;  // robot to be planned
   std::vector<OpenLife> lives_;
-  std::vector<Order> orders_;           // by ticket
-  std::map<Key, std::size_t> tickets_;  // by first key of the piece
-  std::deque<std::size_t> known_;       // robots with all seasons
+  std::vector<Order> orders_;                        // by ticket
+  std::map<std::vector<Key>, std::size_t> tickets_;  // by the piece's keys
+  std::deque<std::size_t> known_;                    // robots with all seasons
   std::size_t outstanding_ = 0;
   std::optional<std::string> failure_;
   JudgingCounts counts_;

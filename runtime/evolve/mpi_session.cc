@@ -57,9 +57,9 @@ MpiSession::MpiSession() : state_(std::make_unique<State>()) {}
 
 std::optional<std::string> MpiSession::Join(int workers, MakeWork make_work) {
   assert(!state_->link);
-  state_->pool =
-      std::make_unique<WorkerPool>(WorkerPoolOptions{WorkerCount(workers), 0},
-                                   WorkWithSetup(std::move(make_work)));
+  state_->pool = std::make_unique<WorkerPool>(
+      WorkerPoolOptions{RankWorkerCount(workers), 0},
+      WorkWithSetup(std::move(make_work)));
   state_->link = ConnectRanks();
   if (!state_->link)
     return "started by mpirun with more than one rank, but built without MPI; "

@@ -39,8 +39,8 @@ class MpiSession {
   MpiSession(const MpiSession&) = delete;
   MpiSession& operator=(const MpiSession&) = delete;
 
-  /// Forks this rank's `workers` (0: as many as the cores that it may use; so
-  /// call it from the only thread), and then meets the other ranks; once in a
+  /// Forks this rank's `workers` (0: RankWorkerCount; so call it from the only
+  /// thread), and then meets the other ranks; once in a
   /// process. Workers are told what to do by MakeWorkers, so they read no file,
   /// and only rank 0 needs to see any. What went wrong: ranks that cannot meet
   /// must not go on, as each of them would do the same run.

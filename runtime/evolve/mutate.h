@@ -52,6 +52,12 @@ struct Mutation {
   friend bool operator==(const Mutation&, const Mutation&) = default;
 };
 
+/// The mutated rule as users count: from 1, as diagnostics, `plsc show` and all
+/// JSON do. (Of the tables, only the store's column counts from 0.)
+inline std::size_t RuleNumber(const Mutation& mutation) {
+  return mutation.rule + 1;
+}
+
 /// A symbol with rules and one of its rules, each uniformly, and a kind
 /// (kClause only in kPlasticoding). The genotype has at least one rule.
 Mutation DrawMutation(const Genotype& genotype, Encoding encoding, Rng& rng,

@@ -4,6 +4,7 @@
 // generation come first, all together; then its evaluations as they end, in
 // any order; then what became of the generation.
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -33,8 +34,11 @@ class RunObserver {
 
   virtual ~RunObserver() = default;
   /// A generation's newborn in order of id, not evaluated yet. A run that goes
-  /// on shows those of the generation that was under way again.
-  virtual Failure OnBirths(const std::vector<Individual>& born) = 0;
+  /// on shows those of the generation that was under way again. When
+  /// `should_stop`, if any, says so, which ends the run, it may come back as if
+  /// it had never been called.
+  virtual Failure OnBirths(const std::vector<Individual>& born,
+                           const std::function<bool()>& should_stop) = 0;
   /// Everybody once, in the order in which evaluations end; `evidence` has an
   /// item a season. Not those that were evaluated before the run went on.
   virtual Failure OnEvaluated(const Individual& one,

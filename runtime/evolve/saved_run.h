@@ -18,7 +18,9 @@ struct SavedRun {
   /// domination counts that they survived with.
   std::vector<Individual> population;
   std::vector<int> counts;
-  /// By id: those of the generation under way that are evaluated already.
+  /// By id: those of the generation under way that are evaluated already. Whose
+  /// worker died is not: such a life depends on more than the experiment, and
+  /// as long as nothing was selected by it, it can be lived anew.
   std::map<int, Evaluation> evaluated;
   std::int64_t evaluations = 0;  ///< of the whole run so far
 };

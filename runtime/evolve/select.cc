@@ -34,13 +34,13 @@ std::size_t Tournament(const std::vector<int>& scores, int size, Rng& rng) {
   return winner;
 }
 
-std::vector<std::size_t> SelectDistinct(const std::vector<int>& scores,
-                                        std::size_t count, int tournament_size,
-                                        Rng& rng) {
+std::vector<std::size_t> SelectDistinct(
+    const std::vector<int>& scores, std::size_t count, int tournament_size,
+    Rng& rng, const std::function<bool()>& should_stop) {
   assert(count <= scores.size());
   std::vector<std::size_t> chosen;
   std::vector<bool> is_chosen(scores.size(), false);
-  while (chosen.size() < count) {
+  while (chosen.size() < count && !(should_stop && should_stop())) {
     std::size_t winner = Tournament(scores, tournament_size, rng);
     for (int i = 1; is_chosen[winner] && i < kMaxTournaments; ++i)
       winner = Tournament(scores, tournament_size, rng);

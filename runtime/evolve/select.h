@@ -5,6 +5,7 @@
 // neither keeps an elite.
 
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 #include "runtime/evolve/rng.h"
@@ -16,9 +17,10 @@ namespace plsc {
 std::size_t Tournament(const std::vector<int>& scores, int size, Rng& rng);
 
 /// Winners of tournaments over all of `scores`, in order of winning, until
-/// `count` different ones have won. `count` <= scores.size().
-std::vector<std::size_t> SelectDistinct(const std::vector<int>& scores,
-                                        std::size_t count, int tournament_size,
-                                        Rng& rng);
+/// `count` different ones have won. `count` <= scores.size(). Fewer where
+/// `should_stop`, asked between winners, says so.
+std::vector<std::size_t> SelectDistinct(
+    const std::vector<int>& scores, std::size_t count, int tournament_size,
+    Rng& rng, const std::function<bool()>& should_stop = {});
 
 }  // namespace plsc

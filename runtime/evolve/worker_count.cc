@@ -1,10 +1,14 @@
 #include "runtime/evolve/worker_count.h"
 
 #include <sched.h>
+#include <sys/types.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <fstream>
+#include <initializer_list>
 #include <optional>
 #include <sstream>
 #include <thread>
@@ -13,10 +17,11 @@ namespace plsc {
 
 namespace {
 
-int BoundCores() {
+/// Of a process; 0: this one.
+int BoundCores(pid_t process) {
   cpu_set_t set;
   // Fails on machines with more than 1024 cores, the size of the set.
-  if (sched_getaffinity(0, sizeof set, &set) == 0) return CPU_COUNT(&set);
+  if (sched_getaffinity(process, sizeof set, &set) == 0) return CPU_COUNT(&set);
   // 0 where the system does not tell.
   return static_cast<int>(std::thread::hardware_concurrency());
 }
@@ -94,18 +99,45 @@ std::optional<double> QuotaCores(const std::string& root) {
   return least;
 }
 
-}  // namespace
-
-int UsableCores(const std::string& root) {
-  int cores = std::max(1, BoundCores());
+/// `cores`, or what the control groups give time for if that is less.
+int WithinQuota(int cores, const std::string& root) {
   // A part of a core is still worth a worker: all of the quota gets used.
   if (const std::optional<double> quota = QuotaCores(root))
     if (*quota < cores) cores = static_cast<int>(std::ceil(*quota));
   return std::max(1, cores);
 }
 
+std::optional<int> NumberIn(std::initializer_list<const char*> variables) {
+  for (const char* name : variables)
+    if (const char* value = std::getenv(name)) return std::atoi(value);
+  return std::nullopt;
+}
+
+}  // namespace
+
+int UsableCores(const std::string& root) {
+  return WithinQuota(BoundCores(0), root);
+}
+
 int WorkerCount(int jobs) {
   return jobs > 0 ? jobs : UsableCores();
+}
+
+int ShareOfRank(int own, int together, int ranks, int rank) {
+  if (ranks <= 1 || own * ranks <= together) return std::max(1, own);
+  const int rest = together % ranks;
+  return std::clamp(together / ranks + (rank < rest ? 1 : 0), 1,
+                    std::max(1, own));
+}
+
+int RankWorkerCount(int jobs) {
+  if (jobs > 0) return jobs;
+  const int own = UsableCores();
+  const int together = WithinQuota(std::max(own, BoundCores(getppid())), "");
+  return ShareOfRank(
+      own, together,
+      NumberIn({"OMPI_COMM_WORLD_LOCAL_SIZE", "MPI_LOCALNRANKS"}).value_or(1),
+      NumberIn({"OMPI_COMM_WORLD_LOCAL_RANK", "MPI_LOCALRANKID"}).value_or(0));
 }
 
 }  // namespace plsc

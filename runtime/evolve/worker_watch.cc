@@ -28,19 +28,20 @@ std::optional<Vitals> ReadVitals(pid_t pid) {
   double system = 0;
   if (!(fields >> user >> system)) return std::nullopt;
   const auto ticks = static_cast<double>(sysconf(_SC_CLK_TCK));
-  return Vitals{(user + system) / ticks, state == 'S'};
+  return Vitals{(user + system) / ticks, state == 'S' || state == 'T'};
 }
 
 void WorkerWatch::Add(double waited, const std::optional<Vitals>& vitals) {
   if (!vitals) {
-    slept_ += waited;
+    idle_ += waited;
     return;
   }
   const double computed = std::max(0.0, vitals->cpu - cpu_);
   cpu_ = std::max(cpu_, vitals->cpu);
   computed_ += computed;
-  // Also of one that wakes now and then only to sleep again.
-  if (vitals->is_asleep) slept_ += std::max(0.0, waited - computed);
+  // Also of one that wakes now and then only to sleep again. That the owner
+  // itself was stopped is in `waited` already (kLongestWait).
+  if (vitals->is_idle) idle_ += std::max(0.0, waited - computed);
 }
 
 }  // namespace plsc

@@ -15,7 +15,8 @@ namespace plsc {
 
 class AuthorsCursor {
  public:
-  explicit AuthorsCursor(std::string_view text) : text_(text) {}
+  explicit AuthorsCursor(std::string_view text)
+      : text_(text), at_(TextBegin(text)) {}
 
   std::uint32_t at() const { return static_cast<std::uint32_t>(at_); }
   bool is_at_end() const { return at_ == text_.size(); }

@@ -3,9 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
+#include <optional>
 #include <set>
 #include <utility>
 
+#include "compiler/limits.h"
 #include "compiler/truth.h"
 #include "compiler/verify.h"
 #include "grammar/screen.h"
@@ -25,6 +28,10 @@ Diagnostic Said(Severity severity, const char* code, Span span,
   diagnostic.message = std::move(message);
   return diagnostic;
 }
+
+// u and l of the paper's experiments, which Revolve has outside of its texts.
+constexpr std::size_t kAuthorsMaxTerms = 2;
+constexpr std::size_t kAuthorsMaxRules = 2;
 
 bool IsError(const Diagnostic& diagnostic) {
   return diagnostic.severity == Severity::kError;
@@ -49,7 +56,9 @@ class Importer {
   Result<Program> Import() {
     if (!HasErrors()) {
       FindJoined();
-      for (const AuthorsRule& rule : read_.rules) Add(rule);
+      for (const AuthorsRule& rule : read_.rules)
+        if (!is_full()) Add(rule);
+      FindLimits();
     }
     Program program;
     if (!HasErrors()) {
@@ -65,6 +74,10 @@ class Importer {
   }
 
  private:
+  // Warnings alone keep nothing from being read.
+  bool is_full() const {
+    return problems_.size() >= kMaxReported && HasErrors();
+  }
   bool HasErrors() const {
     return std::any_of(problems_.begin(), problems_.end(), IsError);
   }
@@ -72,18 +85,14 @@ class Importer {
   // In the level season, where every condition is False, Revolve has put the
   // later active rules of a letter behind its first one, in the genotype.
   void FindJoined() {
+    if (!read_.has_clauses) return;
     const std::vector<double> level(read_.states.size(), 0);
-    std::set<std::string_view> letters;
-    for (const AuthorsRule& rule : read_.rules) {
-      if (!read_.has_clauses || !letters.insert(rule.letter.token).second)
-        continue;
-      std::vector<AuthorsRule*> active;
-      for (AuthorsRule& other : read_.rules)
-        if (other.letter.token == rule.letter.token &&
-            ClauseHolds(other.clause, level))
-          active.push_back(&other);
-      if (active.size() > 1) Unjoin(active);
-    }
+    std::map<std::string_view, std::vector<AuthorsRule*>> active;
+    for (AuthorsRule& rule : read_.rules)
+      if (ClauseHolds(rule.clause, level))
+        active[rule.letter.token].push_back(&rule);
+    for (const auto& [letter, rules] : active)
+      if (rules.size() > 1) Unjoin(rules);
   }
 
   void Unjoin(const std::vector<AuthorsRule*>& active) {
@@ -143,16 +152,18 @@ class Importer {
       return;
     }
     Rule rule{letter->id, from.clause, {}};
-    for (const AuthorsWord& word : from.symbols)
+    for (const AuthorsWord& word : from.symbols) {
+      if (is_full()) return;
       if (const auto symbol =
               ImportSymbol(word, options_.allow_range, &problems_))
         rule.production.push_back(*symbol);
+    }
     CheckCore(from, letter->id);
     rules_.push_back(std::move(rule));
   }
 
   void CheckCore(const AuthorsRule& from, SymbolId head) {
-    for (std::size_t i = 0; i < from.symbols.size(); ++i) {
+    for (std::size_t i = 0; i < from.symbols.size() && !is_full(); ++i) {
       const bool wants_core = head == p::kC && i == 0;
       if ((from.symbols[i].token == "C") == wants_core) continue;
       problems_.push_back(
@@ -162,6 +173,45 @@ class Importer {
     }
   }
 
+  // What Revolve's operators keep to: without clauses a letter has one rule;
+  // else the paper's u and l, or what a run with more has left in the text.
+  void FindLimits() {
+    if (!read_.has_clauses) {
+      max_rules_ = 1;
+      return;
+    }
+    Most terms{kAuthorsMaxTerms, {}};
+    Most rules{kAuthorsMaxRules, {}};
+    std::map<std::string_view, std::size_t> counts;
+    for (const AuthorsRule& rule : read_.rules) {
+      terms.Take(rule.clause.terms.size(), rule.span);
+      rules.Take(++counts[rule.letter.token], rule.span);
+    }
+    max_terms_ = Limit("terms in a clause", kAuthorsMaxTerms, terms);
+    max_rules_ = Limit("rules of a letter", kAuthorsMaxRules, rules);
+  }
+
+  // The most that a text has of something, and where.
+  struct Most {
+    std::size_t count;
+    Span span;
+    void Take(std::size_t other, Span place) {
+      if (other > count) *this = {other, place};
+    }
+  };
+
+  std::optional<int> Limit(const char* what, std::size_t usual, Most most) {
+    if (most.count > usual)
+      problems_.push_back(Said(
+          Severity::kWarning, "W5200", most.span,
+          fmt::format("{} {} are more than the paper's {}: the limit of their "
+                      "run is not in the text, and {} is written for it",
+                      most.count, what, usual,
+                      most.count > kMaxLimit ? "none" : "this number")));
+    if (most.count > kMaxLimit) return std::nullopt;
+    return static_cast<int>(most.count);
+  }
+
   Program Assembled() const {
     Program program;
     Genotype& genotype = program.genotype;
@@ -169,6 +219,8 @@ class Importer {
     for (const std::string& state : read_.states)
       genotype.states.push_back({state, StateType::kBool, 0, 0, {}});
     genotype.axiom = p::kC;
+    genotype.max_terms = max_terms_;
+    genotype.max_rules = max_rules_;
     genotype.rules = rules_;
     std::stable_sort(
         genotype.rules.begin(), genotype.rules.end(),
@@ -183,12 +235,14 @@ class Importer {
   const ImportOptions& options_;
   std::set<SymbolId> letters_;
   std::vector<Rule> rules_;
+  std::optional<int> max_terms_;
+  std::optional<int> max_rules_;
 };
 
 }  // namespace
 
 AuthorsFormat GuessAuthorsFormat(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(" \t\r\n");
+  const std::size_t first = text.find_first_not_of(" \t\r\n", TextBegin(text));
   const bool is_dictionary =
       first != std::string_view::npos && text[first] == '{';
   return is_dictionary ? AuthorsFormat::kRepr : AuthorsFormat::kLines;

@@ -34,7 +34,9 @@ struct ImportOptions {
 /// States are those that clauses ask about, in the order of the text; a
 /// genotype that senses one thing gets environments named after the worlds of
 /// the paper, plane and tilted5. Settings are the paper's, as the formats have
-/// none. Errors are of the kinds that plsc has for its own texts, and P5200
+/// none: with them the limits of terms and rules that Revolve's operators keep
+/// to, larger ones where the text has more (one rule a symbol without clauses).
+/// Errors are of the kinds that plsc has for its own texts, and P5200
 /// for broken notation; W5200 tells what is lost.
 Result<Program> ImportAuthorsGenotype(const Source& source,
                                       AuthorsFormat format,
@@ -43,7 +45,8 @@ Result<Program> ImportAuthorsGenotype(const Source& source,
 /// The text that Revolve would export (its letters' order, shortest numbers
 /// that read back), without a line end. P5200 where Revolve cannot say it: an
 /// alphabet of the file's own, states that are not bool, rules without clauses
-/// beside others of their symbol. W5200: settings other than the paper's.
+/// beside others of their symbol. W5200: settings other than the paper's, and
+/// limits other than an import of the text would give.
 Result<std::string> AuthorsGenotypeText(const Genotype& genotype);
 
 /// A rule as it was read, before its symbols are looked at.

@@ -35,7 +35,11 @@ class LinesReader {
   explicit LinesReader(const Source& source) : source_(source) {}
 
   AuthorsText Read() {
-    for (int line = 1; line <= source_.line_count(); ++line) ReadLine(line);
+    for (int line = 1; line <= source_.line_count(); ++line) {
+      // Of a hostile text nobody reads more.
+      if (read_.problems.size() >= kMaxReported) break;
+      ReadLine(line);
+    }
     if (rounded_)
       read_.problems.push_back(
           Lost(*rounded_,
@@ -49,7 +53,7 @@ class LinesReader {
     const std::string_view line = source_.Line(number);
     const std::uint32_t begin = source_.LineBegin(number);
     std::vector<Span> words;
-    std::size_t at = 0;
+    std::size_t at = number == 1 ? TextBegin(line) : 0;
     while ((at = line.find_first_not_of(" \t\r", at)) !=
            std::string_view::npos) {
       const std::size_t end =
@@ -86,7 +90,7 @@ class LinesReader {
       const Span place{span.begin + static_cast<std::uint32_t>(at),
                        span.begin + static_cast<std::uint32_t>(end)};
       const auto value = ParseAuthorsNumber(number);
-      if (!value)
+      if (!value && read_.problems.size() < kMaxReported)
         Broken(place, fmt::format("a number is expected behind '_' and '|', "
                                   "not '{}'",
                                   number));

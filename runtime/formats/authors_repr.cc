@@ -1,9 +1,13 @@
 // The one line of Python that Revolve exports (plasticoding.py:153-156): the
 // representation of a dictionary from letters to rules.
 
-#include <algorithm>
+#include <fmt/format.h>
+
+#include <string>
+#include <unordered_map>
 #include <utility>
 
+#include "compiler/limits.h"
 #include "grammar/keywords.h"
 #include "runtime/formats/authors_cursor.h"
 #include "runtime/formats/authors_genotype.h"
@@ -124,16 +128,19 @@ class ReprReader {
       cursor_.Want("False", "or 'True'");
     cursor_.Want("]", "behind a term");
     if (cursor_.has_failed()) return;
+    if (read_.states.size() > kMaxStates) {
+      cursor_.Fail(*state, fmt::format("at most {} conditions", kMaxStates));
+      return;
+    }
     term.state = StateOf(std::string(cursor_.Text(*state)));
     clause->terms.push_back(term);
   }
 
   StateId StateOf(const std::string& name) {
-    const auto known =
-        std::find(read_.states.begin(), read_.states.end(), name);
-    const auto index = known - read_.states.begin();
-    if (known == read_.states.end()) read_.states.push_back(name);
-    return static_cast<StateId>(index);
+    const auto [known, is_new] =
+        state_ids_.emplace(name, static_cast<StateId>(read_.states.size()));
+    if (is_new) read_.states.push_back(name);
+    return known->second;
   }
 
   // [<...>, [1, 2]], ... ]
@@ -159,6 +166,7 @@ class ReprReader {
 
   AuthorsCursor cursor_;
   AuthorsText read_;
+  std::unordered_map<std::string, StateId> state_ids_;
 };
 
 }  // namespace

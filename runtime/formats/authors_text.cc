@@ -94,16 +94,27 @@ std::optional<Diagnostic> WhyNot(const Genotype& genotype, bool has_clauses) {
   return std::nullopt;
 }
 
-std::vector<Diagnostic> Losses(const Genotype& genotype) {
-  std::vector<Diagnostic> losses;
-  if (genotype.development == DevelopmentSettings{}) return losses;
+Diagnostic Loss(const char* message) {
   Diagnostic diagnostic;
   diagnostic.severity = Severity::kWarning;
   diagnostic.code = "W5200";
-  diagnostic.message =
-      "iterations, max_modules and move_to_new are not part of the text; "
-      "Revolve has them in its experiments (3, 15, False in the paper's)";
-  losses.push_back(std::move(diagnostic));
+  diagnostic.message = message;
+  return diagnostic;
+}
+
+std::vector<Diagnostic> Losses(const Genotype& genotype, bool has_clauses) {
+  std::vector<Diagnostic> losses;
+  if (genotype.development != DevelopmentSettings{})
+    losses.push_back(
+        Loss("iterations, max_modules and move_to_new are not part of the "
+             "text; Revolve has them in its experiments (3, 15, False in the "
+             "paper's)"));
+  const int rules = has_clauses ? 2 : 1;
+  if (genotype.max_rules.value_or(rules) != rules ||
+      (has_clauses && genotype.max_terms.value_or(2) != 2))
+    losses.push_back(
+        Loss("max_terms and max_rules are not part of the text; Revolve has "
+             "them in its experiments (2 and 2 in the paper's)"));
   return losses;
 }
 
@@ -127,7 +138,8 @@ Result<std::string> AuthorsGenotypeText(const Genotype& genotype) {
     if (!has_clauses) text = rules.empty() ? "[]" : rules.front();
     letters.push_back(fmt::format("{}: {}", SymbolText(letter), text));
   }
-  return {fmt::format("{{{}}}", fmt::join(letters, ", ")), Losses(genotype)};
+  return {fmt::format("{{{}}}", fmt::join(letters, ", ")),
+          Losses(genotype, has_clauses)};
 }
 
 }  // namespace plsc

@@ -1,29 +1,32 @@
 #pragma once
 
-// What a robot senses as a JSON object, for the writers of this folder.
+// What a robot senses as a JSON object, for all writers of JSON: a state's
+// value is true or false, a number, or the name of an enum's value, never the
+// text of one of the first two.
 
+#include <map>
 #include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "compiler/genotype.h"
+#include "runtime/evaluation.h"
 
 namespace plsc {
 
-/// State -> true or false, a number, or the name of an enum's value.
-inline nlohmann::ordered_json EnvironmentJson(
-    const Environment& environment, const std::vector<State>& states) {
-  nlohmann::ordered_json json = nlohmann::ordered_json::object();
-  for (std::size_t i = 0; i < states.size(); ++i) {
-    const State& state = states[i];
-    const double value = environment.values[i];
-    if (state.type == StateType::kBool)
-      json[state.name] = value != 0;
-    else if (state.type == StateType::kEnum)
-      json[state.name] = state.values[static_cast<std::size_t>(value)];
-    else
-      json[state.name] = value;
-  }
-  return json;
-}
+/// State -> value.
+nlohmann::ordered_json EnvironmentJson(const Environment& environment,
+                                       const std::vector<State>& states);
+
+/// Of a value as a clause writes it ("True", "30.5", "wet"), of the state of
+/// that name; the text itself if there is none such.
+nlohmann::ordered_json SensedValueJson(const std::string& name,
+                                       std::string_view value,
+                                       const std::vector<State>& states);
+
+/// State -> value, of what is inherited.
+nlohmann::ordered_json SensesJson(const Senses& senses,
+                                  const std::vector<State>& states);
 
 }  // namespace plsc

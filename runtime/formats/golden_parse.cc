@@ -43,7 +43,7 @@ GoldenModule ReadModule(JsonReader& reader, const JsonValue& value) {
     module.slot = reader.Text(value, "slot");
     // Empty ones mean the core, which has neither key.
     if (module.parent.empty() || module.slot.empty())
-      reader.Error(value, "P5107", "expected the id of a module and its slot",
+      reader.Error(value, "P5108", "expected the id of a module and its slot",
                    "the core has neither 'parent' nor 'slot'");
   }
   if (reader.Has(value, "x") || reader.Has(value, "y") ||
@@ -122,7 +122,7 @@ GoldenString ReadString(JsonReader& reader, const JsonValue& value) {
         reader.Integer(value, "string_length", 0, kMaxInt));
     string.hash = reader.Text(value, "string_hash");
     if (string.hash.empty())
-      reader.Error(value, "P5107", "expected the hash of a long string",
+      reader.Error(value, "P5108", "expected the hash of a long string",
                    "shorter strings have neither hash nor length");
   }
   return string;
@@ -186,7 +186,7 @@ void ReadCases(JsonReader& reader, const JsonValue& root, Golden& golden) {
     const GoldenCase& last = golden.cases.back();
     const std::string& name = last.environment;
     if (!names.emplace(last.genotype, name).second)
-      reader.Error(value, "P5102",
+      reader.Error(value, "P5108",
                    fmt::format("environment '{}' stands twice", name),
                    "every environment has one expectation");
   });
@@ -224,7 +224,7 @@ Golden ReadGolden(JsonReader& reader, const JsonValue& root) {
                  "P5104", "a tolerance is 0 or more");
   ReadCases(reader, root, golden);
   if (golden.cases.empty() && reader.errors().empty())
-    reader.Error(root, "P5106", "no environment to test in",
+    reader.Error(root, "P5108", "no environment to test in",
                  "name at least one in 'environments'");
   return golden;
 }

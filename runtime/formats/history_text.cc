@@ -86,16 +86,6 @@ std::string RuleText(const Genotype& genotype, RuleIndex rule) {
                      ClauseText(genotype, genotype.rules[rule].clause));
 }
 
-std::string PlaceExcerpt(const Source& source, Span span,
-                         const std::string& label) {
-  Diagnostic diagnostic;
-  diagnostic.span = span;
-  diagnostic.label = label;
-  // All but the headline: it is no error.
-  const std::string rendered = Render(diagnostic, source);
-  return rendered.substr(rendered.find('\n') + 1);
-}
-
 std::string AncestryText(const HistoryView& view, InsertionId id) {
   std::string text;
   for (const InsertionId one : Ancestry(view.history.derivation, id)) {
@@ -112,8 +102,7 @@ std::string AncestryText(const HistoryView& view, InsertionId id) {
             ? "the axiom"
             : fmt::format("inserted in iteration {} by {}", insertion.iteration,
                           RuleText(view.genotype, occurrence.rule));
-    text +=
-        PlaceExcerpt(view.source, span, label) + TermsText(view, occurrence);
+    text += RenderPlace(span, label, view.source) + TermsText(view, occurrence);
   }
   return text;
 }

@@ -20,8 +20,4 @@ std::string AncestryText(const HistoryView& view, InsertionId id);
 /// "rule 2 (C, if inclined = True)".
 std::string RuleText(const Genotype& genotype, RuleIndex rule);
 
-/// " --> file:line:column", the line, a caret with `label`.
-std::string PlaceExcerpt(const Source& source, Span span,
-                         const std::string& label);
-
 }  // namespace plsc

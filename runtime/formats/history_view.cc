@@ -5,6 +5,7 @@
 #include <array>
 
 #include "compiler/print.h"
+#include "grammar/shown_line.h"
 
 namespace plsc {
 
@@ -27,7 +28,7 @@ const std::string& NameOf(const Genotype& genotype,
 
 std::string PlaceText(const Source& source, Span span) {
   const Position at = source.PositionOf(span.begin);
-  return fmt::format("{}:{}:{}", source.name(), at.line, at.column);
+  return fmt::format("{}:{}:{}", Escaped(source.name()), at.line, at.column);
 }
 
 std::string NodeName(int index) {

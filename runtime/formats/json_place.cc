@@ -123,6 +123,23 @@ Span JsonKeyPlaceOf(std::string_view text,
   return SpanOf(scanner, Follow(scanner, path).key);
 }
 
+std::optional<Span> TooDeepInJson(std::string_view text) {
+  const Scanner scanner(text);
+  int depth = 0;
+  for (std::size_t i = 0; !scanner.IsEnd(i);) {
+    const char c = scanner.At(i);
+    if (c == '"') {
+      i = scanner.SkipString(i);
+      continue;
+    }
+    if ((c == '[' || c == '{') && ++depth > kMaxJsonDepth)
+      return MakeSpan(i, i + 1);
+    if (c == ']' || c == '}') --depth;
+    ++i;
+  }
+  return std::nullopt;
+}
+
 std::optional<Span> RepeatedJsonKey(std::string_view text) {
   const Scanner scanner(text);
   std::vector<std::unordered_set<std::string_view>> keys;

@@ -20,6 +20,12 @@ Span JsonPlaceOf(std::string_view text, const std::vector<std::string>& path);
 Span JsonKeyPlaceOf(std::string_view text,
                     const std::vector<std::string>& path);
 
+/// Brackets that a text may have around a value. Our deepest formats, and those
+/// of LSP, have about ten; a library that recurses must never see a million.
+inline constexpr int kMaxJsonDepth = 64;
+/// The first bracket beyond that, of any text. Needs no memory.
+std::optional<Span> TooDeepInJson(std::string_view text);
+
 /// The first key that its object has already, of any text.
 std::optional<Span> RepeatedJsonKey(std::string_view text);
 

@@ -65,8 +65,9 @@ void JsonReader::Add(Span span, std::string_view code, std::string message,
   errors_.push_back(std::move(diagnostic));
 }
 
-void JsonReader::Wrong(const JsonValue& value, std::string_view expected) {
-  Error(value, "P5103",
+void JsonReader::Wrong(const JsonValue& value, std::string_view expected,
+                       std::string_view code) {
+  Error(value, code,
         fmt::format("expected {}{}, found {}", expected, Where(value),
                     Shown(value.json)));
 }
@@ -121,11 +122,13 @@ std::int64_t JsonReader::Integer(const JsonValue& value, std::int64_t low,
   const bool is_huge =
       value.json.is_number_unsigned() &&
       value.json.get<std::uint64_t>() > static_cast<std::uint64_t>(high);
-  if (value.json.is_number_integer() && !is_huge) {
+  const bool is_whole = value.json.is_number_integer();
+  if (is_whole && !is_huge) {
     const auto number = value.json.get<std::int64_t>();
     if (number >= low && number <= high) return number;
   }
-  Wrong(value, fmt::format("a whole number in {}..{}", low, high));
+  Wrong(value, fmt::format("a whole number in {}..{}", low, high),
+        is_whole ? "P5104" : "P5103");
   return low;
 }
 

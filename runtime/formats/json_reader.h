@@ -58,7 +58,8 @@ class JsonReader {
                        std::int64_t high);
   /// The member, or an error and nothing.
   const nlohmann::json* Member(const JsonValue& object, std::string_view key);
-  void Wrong(const JsonValue& value, std::string_view expected);
+  void Wrong(const JsonValue& value, std::string_view expected,
+             std::string_view code = "P5103");
 
  private:
   // Asked before a place is looked for, which takes as long as the file.

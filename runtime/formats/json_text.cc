@@ -39,6 +39,14 @@ Diagnostic NotJson(const Json::exception& error, std::size_t byte,
 
 Result<Json> ReadJson(const Source& source) {
   if (auto problem = Screen(source)) return *problem;
+  if (const auto deep = TooDeepInJson(source.text())) {
+    Diagnostic diagnostic;
+    diagnostic.code = "P5100";
+    diagnostic.span = *deep;
+    diagnostic.message = fmt::format(
+        "expected at most {} brackets around a value", kMaxJsonDepth);
+    return diagnostic;
+  }
   Json json;
   try {
     json = Json::parse(source.text());

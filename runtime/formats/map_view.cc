@@ -64,9 +64,11 @@ std::string ShadesSvg(const Rough& rough, const MapView& view) {
                                   view.side / 2 - y - kShade / 2);
       const Eigen::Vector2d place = view.centre + shift / view.scale;
       const double height = field.At(place.x(), place.y()).height;
-      // The mean is at most an amplitude from 0, so that this is 0 to 1.
+      // The mean is at most an amplitude from 0, so that this is 0 to 1; or
+      // not a number where there is no height to shade, which is the middle.
+      const double share = height / (4 * rough.amplitude);
       const double level =
-          std::clamp(0.5 + height / (4 * rough.amplitude), 0.0, 1.0);
+          std::isfinite(share) ? std::clamp(0.5 + share, 0.0, 1.0) : 0.5;
       const int grey = static_cast<int>(std::lround(200 + 55 * level));
       fmt::format_to(std::back_inserter(svg),
                      R"(<rect x="{:.0f}" y="{:.0f}" width="{}" height="{}" )"

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "runtime/formats/descriptors_json.h"
+#include "runtime/formats/environment_json.h"
 
 namespace plsc {
 
@@ -15,24 +16,25 @@ Json BehaviourJson(const Behaviour& behaviour) {
   return DescriptorsJson(List(behaviour));
 }
 
-Json SensedJson(const std::vector<SensedState>& sensed) {
+Json SensedJson(const std::vector<SensedState>& sensed,
+                const std::vector<State>& states) {
   Json json = Json::object();
   for (const SensedState& state : sensed)
-    json[state.name] = {{"value", state.value},
-                        {"from", SenseSourceName(state.from)}};
+    json[state.name] = {
+        {"value", SensedValueJson(state.name, state.value, states)},
+        {"from", SenseSourceName(state.from)}};
   return json;
 }
 
 }  // namespace
 
-std::string SeasonJson(const std::string& genotype,
-                       const SeasonResult& result) {
+std::string SeasonJson(const Genotype& genotype, const SeasonResult& result) {
   Json json;
-  json["genotype"] = genotype;
+  json["genotype"] = genotype.name;
   json["season"] = result.season;
   json["profile"] = ProfileName(result.profile);
   json["begin"] = result.begin;
-  json["sensed"] = SensedJson(result.sensed);
+  json["sensed"] = SensedJson(result.sensed, genotype.states);
   json["inclination"] =
       result.inclination ? Json(*result.inclination) : Json(nullptr);
   json["change"] = ChangeName(result.change);

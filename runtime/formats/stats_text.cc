@@ -9,6 +9,7 @@
 
 #include "compiler/print.h"
 #include "runtime/formats/aligned_rows.h"
+#include "runtime/formats/json_dump.h"
 
 namespace plsc {
 
@@ -177,7 +178,7 @@ std::string StatsJson(const std::string& path, const Genotype& genotype,
                      {"bodies", stats.bodies},
                      {"brains", stats.brains},
                      {"environments", std::move(environments)}};
-  return json.dump();
+  return DumpJson(json);
 }
 
 }  // namespace plsc

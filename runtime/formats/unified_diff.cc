@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "compiler/line_edits.h"
+#include "grammar/shown_line.h"
 
 namespace plsc {
 
@@ -49,7 +50,8 @@ std::string UnifiedDiff(std::string_view old_text, std::string_view new_text,
   const Lines a = SplitLines(old_text);
   const Lines b = SplitLines(new_text);
   const std::vector<LineEdit> edits = FindLineEdits(a, b);
-  std::string text = fmt::format("--- {}\n+++ {}\n", old_name, new_name);
+  std::string text =
+      fmt::format("--- {}\n+++ {}\n", Escaped(old_name), Escaped(new_name));
   std::size_t x = 0;
   std::size_t y = 0;
   std::size_t done = 0;
@@ -72,6 +74,29 @@ std::string UnifiedDiff(std::string_view old_text, std::string_view new_text,
     done = hunk.end;
   }
   return text;
+}
+
+std::vector<ChangedLines> LineChanges(std::string_view old_text,
+                                      std::string_view new_text) {
+  const Lines a = SplitLines(old_text);
+  const Lines b = SplitLines(new_text);
+  std::vector<ChangedLines> changes;
+  std::size_t x = 0;
+  std::size_t y = 0;
+  std::size_t offset = 0;  // of line x
+  bool is_open = false;
+  for (const LineEdit edit : FindLineEdits(a, b)) {
+    if (edit != LineEdit::kKeep && !is_open)
+      changes.push_back({x, x, offset, offset, ""});
+    is_open = edit != LineEdit::kKeep;
+    if (edit != LineEdit::kInsert) offset += a[x++].size();
+    if (edit == LineEdit::kInsert) changes.back().replacement += b[y];
+    if (edit != LineEdit::kDelete) ++y;
+    if (!is_open) continue;
+    changes.back().end_line = x;
+    changes.back().end = offset;
+  }
+  return changes;
 }
 
 }  // namespace plsc

@@ -36,10 +36,14 @@ Json InitializeResult(const std::string& version) {
       {"documentHighlightProvider", true},
       {"documentSymbolProvider", true},
       {"documentFormattingProvider", true},
+      {"documentRangeFormattingProvider", true},
+      {"foldingRangeProvider", true},
       {"inlayHintProvider", true},
       {"renameProvider", {{"prepareProvider", true}}}};
   capabilities["completionProvider"]["triggerCharacters"] =
       Json::array({" ", "=", "{", "("});
+  capabilities["signatureHelpProvider"]["triggerCharacters"] =
+      Json::array({"(", ","});
   capabilities["codeActionProvider"]["codeActionKinds"] =
       Json::array({"quickfix", "source.fixAll.plsc"});
   capabilities["semanticTokensProvider"] = {

@@ -2,8 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <string>
+#include <unordered_set>
+#include <vector>
 
 #include "runtime/lsp/chosen_environment.h"
 #include "runtime/lsp/params.h"
@@ -52,10 +53,10 @@ Json List(Workspace& workspace, const std::string& uri) {
     throw Fault(ErrorCode::kInvalidParams,
                 fmt::format("no document '{}' is open", uri));
   std::vector<std::string> names;
+  std::unordered_set<std::string> known;
   for (const Section& section : document->analysis->sections())
     for (const NamedEnvironment& one : EnvironmentsOf(section))
-      if (std::find(names.begin(), names.end(), one.name) == names.end())
-        names.push_back(one.name);
+      if (known.insert(one.name).second) names.push_back(one.name);
   return names;
 }
 

@@ -2,11 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>
 #include <string_view>
+#include <unordered_set>
 #include <utility>
 
 #include "compiler/print.h"
@@ -176,9 +176,10 @@ class Completer {
   }
 
   void AddStates() {
-    const auto& given = context_.given;
+    const std::unordered_set<std::string_view> given(context_.given.begin(),
+                                                     context_.given.end());
     for (const State& state : section_.scope.header.states)
-      if (std::find(given.begin(), given.end(), state.name) == given.end())
+      if (!given.contains(state.name))
         Add(state.name, ItemKind::kVariable, DescribeState(state));
   }
 

@@ -6,6 +6,7 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -13,12 +14,17 @@
 #include "compiler/lower.h"
 #include "compiler/print.h"
 #include "compiler/truth.h"
+#include "grammar/shown_line.h"
 #include "runtime/lsp/chosen_environment.h"
 #include "runtime/lsp/params.h"
 
 namespace plsc::lsp {
 
 namespace {
+
+// Characters of an environment that are shown: there may be a thousand states,
+// and as many rules.
+constexpr std::size_t kMaxShown = 400;
 
 // Where a rule stands among the active ones of its symbol.
 struct Activity {
@@ -49,7 +55,10 @@ class Hinter {
          NamedEnvironment environment)
       : analysis_(analysis),
         section_(section),
-        environment_(std::move(environment)) {
+        environment_(std::move(environment)),
+        values_(Printable(PrintEnvironment(environment_.environment,
+                                           section.scope.header.states),
+                          kMaxShown)) {
     const ast::File& file = section.file;
     for (const ast::Rule& rule : file.rules) {
       const auto holds = Holds(section, rule, environment_.environment);
@@ -82,11 +91,9 @@ class Hinter {
  private:
   Json HintJson(std::uint32_t at, const Activity& activity,
                 std::string_view head) const {
-    const std::string values = PrintEnvironment(environment_.environment,
-                                                section_.scope.header.states);
     std::string tooltip = fmt::format("in {}", environment_.name);
-    if (values != environment_.name && !values.empty())
-      tooltip += fmt::format(" ({})", values);
+    if (values_ != environment_.name && !values_.empty())
+      tooltip += fmt::format(" ({})", values_);
     tooltip += fmt::format(": {} of the rules of {} {} active", activity.count,
                            head, activity.count == 1 ? "is" : "are");
     return {{"position", PlaceJson(analysis_.lines().PlaceAt(at))},
@@ -98,6 +105,7 @@ class Hinter {
   const Analysis& analysis_;
   const Section& section_;
   NamedEnvironment environment_;
+  std::string values_;  // of the environment; every hint says them
   std::vector<Activity> activities_;        // by rule
   std::vector<bool> known_;                 // by rule
   std::map<std::string_view, int> active_;  // rules, by head

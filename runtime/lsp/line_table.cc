@@ -1,10 +1,13 @@
 #include "runtime/lsp/line_table.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace plsc::lsp {
 
 namespace {
+
+constexpr std::uint32_t kMarkDistance = 512;
 
 // Bytes 10xxxxxx continue a UTF-8 character.
 bool Continues(char c) {
@@ -53,6 +56,27 @@ LineTable::LineTable(std::string_view text) : text_(text), begins_{0} {
     if (text[i] == '\r' && i + 1 < text.size() && text[i + 1] == '\n') ++i;
     begins_.push_back(static_cast<std::uint32_t>(i + 1));
   }
+  marks_.reserve(text.size() / kMarkDistance + 1);
+  Mark at;
+  while (at.offset < text.size()) {
+    if (marks_.empty() || at.offset - marks_.back().offset >= kMarkDistance)
+      marks_.push_back(at);
+    const Character next = FirstOf(text.substr(at.offset));
+    at.offset += next.bytes;
+    at.units += next.units;
+  }
+  if (marks_.empty()) marks_.emplace_back();
+}
+
+std::uint32_t LineTable::UnitsBefore(std::uint32_t offset) const {
+  const auto after =
+      std::upper_bound(marks_.begin(), marks_.end(), offset,
+                       [](std::uint32_t wanted, const Mark& mark) {
+                         return wanted < mark.offset;
+                       });
+  const Mark& mark = *std::prev(after);
+  return mark.units +
+         Utf16Length(text_.substr(mark.offset, offset - mark.offset));
 }
 
 std::size_t LineTable::LineOf(std::uint32_t offset) const {
@@ -80,7 +104,7 @@ Place LineTable::PlaceAt(std::uint32_t offset) const {
   // Between \r and \n is still the line's end to a client.
   const std::uint32_t end = std::min(offset, EndOf(line));
   return {static_cast<std::uint32_t>(line),
-          Utf16Length(text_.substr(begin, end - begin))};
+          UnitsBefore(end) - UnitsBefore(begin)};
 }
 
 std::uint32_t LineTable::OffsetAt(Place place) const {
@@ -88,7 +112,19 @@ std::uint32_t LineTable::OffsetAt(Place place) const {
     return static_cast<std::uint32_t>(text_.size());
   std::uint32_t at = begins_[place.line];
   const std::uint32_t end = EndOf(place.line);
+  const std::uint32_t before = UnitsBefore(at);
+  // The last mark of the line that is not behind the place.
+  const auto after =
+      std::partition_point(marks_.begin(), marks_.end(), [&](const Mark& mark) {
+        return mark.offset <= at ||
+               (mark.offset <= end && mark.units - before <= place.character);
+      });
+  const Mark& mark = *std::prev(after);
   std::uint32_t units = 0;
+  if (mark.offset > at) {
+    units = mark.units - before;
+    at = mark.offset;
+  }
   while (at < end) {
     const Character next = FirstOf(text_.substr(at, end - at));
     if (units + next.units > place.character) break;

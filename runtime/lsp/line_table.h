@@ -48,11 +48,20 @@ class LineTable {
   std::uint32_t LineEnd(std::uint32_t offset) const;
 
  private:
+  // A character's place, one in every few hundred bytes: a line may be the
+  // whole text, and a client asks about each of its tokens.
+  struct Mark {
+    std::uint32_t offset = 0;
+    std::uint32_t units = 0;  // before it, of the whole text
+  };
+
   std::size_t LineOf(std::uint32_t offset) const;
   std::uint32_t EndOf(std::size_t line) const;  // before \n, \r\n or \r
+  std::uint32_t UnitsBefore(std::uint32_t offset) const;
 
   std::string_view text_;
   std::vector<std::uint32_t> begins_;
+  std::vector<Mark> marks_;
 };
 
 /// Code units of a text. What is no UTF-8 has as many as bytes that begin

@@ -6,6 +6,7 @@
 #include "runtime/lsp/code_actions.h"
 #include "runtime/lsp/commands.h"
 #include "runtime/lsp/completion.h"
+#include "runtime/lsp/folding.h"
 #include "runtime/lsp/formatting.h"
 #include "runtime/lsp/hover.h"
 #include "runtime/lsp/inlay_hints.h"
@@ -14,6 +15,7 @@
 #include "runtime/lsp/params.h"
 #include "runtime/lsp/rename.h"
 #include "runtime/lsp/semantic_tokens.h"
+#include "runtime/lsp/signature_help.h"
 
 namespace plsc::lsp {
 
@@ -66,6 +68,16 @@ Json ServeFormatting(Workspace& workspace, const Json& params) {
   return FormattingEdits(AnalysisOf(workspace, params));
 }
 
+Json ServeFormattingOfRange(Workspace& workspace, const Json& params) {
+  const PlaceRange range = ReadRange(params, "range");
+  return FormattingEdits(AnalysisOf(workspace, params), range.start.line,
+                         range.end.line);
+}
+
+Json ServeFolding(Workspace& workspace, const Json& params) {
+  return FoldingRanges(AnalysisOf(workspace, params));
+}
+
 Json ServeCodeActions(Workspace& workspace, const Json& params) {
   Document& document = workspace.documents.At(params);
   // Before it is whole it has what comments silence.
@@ -101,20 +113,23 @@ struct Request {
   Serve serve;
 };
 
-constexpr std::array<Request, 14> kRequests = {{
+constexpr std::array<Request, 17> kRequests = {{
     {"textDocument/codeAction", ServeCodeActions},
     {"textDocument/completion", ServeCompletion},
     {"textDocument/definition", AtPlace<Definition>},
     {"textDocument/documentHighlight", AtPlace<Highlights>},
     {"textDocument/documentSymbol", ServeOutline},
+    {"textDocument/foldingRange", ServeFolding},
     {"textDocument/formatting", ServeFormatting},
     {"textDocument/hover", AtPlace<Hover>},
     {"textDocument/inlayHint", ServeHints},
     {"textDocument/prepareRename", AtPlace<PrepareRename>},
+    {"textDocument/rangeFormatting", ServeFormattingOfRange},
     {"textDocument/references", ServeReferences},
     {"textDocument/rename", ServeRename},
     {"textDocument/semanticTokens/full", ServeTokens},
     {"textDocument/semanticTokens/range", ServeTokensOfRange},
+    {"textDocument/signatureHelp", AtPlace<SignatureHelp>},
     {"workspace/executeCommand", ExecuteCommand},
 }};
 

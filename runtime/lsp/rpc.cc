@@ -2,31 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <utility>
+
+#include "runtime/formats/json_place.h"
 
 namespace plsc::lsp {
 
 namespace {
-
-// Brackets outside of strings: reading them needs no memory.
-int Depth(std::string_view body) {
-  int depth = 0;
-  int deepest = 0;
-  bool is_in_string = false;
-  for (std::size_t i = 0; i < body.size(); ++i) {
-    const char c = body[i];
-    if (is_in_string) {
-      if (c == '\\') ++i;
-      if (c == '"') is_in_string = false;
-      continue;
-    }
-    if (c == '"') is_in_string = true;
-    if (c == '[' || c == '{') deepest = std::max(deepest, ++depth);
-    if (c == ']' || c == '}') --depth;
-  }
-  return deepest;
-}
 
 std::string Text(const Json& json) {
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
@@ -44,7 +26,7 @@ std::string NoRequest(const Json& id, const std::string& message) {
 
 std::variant<Message, ClientResponse, std::string> ParseMessage(
     std::string_view body) {
-  if (Depth(body) > kMaxJsonDepth)
+  if (TooDeepInJson(body))
     return ErrorBody(nullptr, ErrorCode::kParseError,
                      fmt::format("expected at most {} brackets around a value",
                                  kMaxJsonDepth));

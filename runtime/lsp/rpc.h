@@ -48,10 +48,6 @@ struct Message {  // NOLINT(bugprone-exception-escape)
 /// The answer of the client to a request of ours.
 struct ClientResponse {};
 
-/// Brackets that a body may have around a value. The deepest message of LSP has
-/// about ten; a library that recurses must never see a million.
-inline constexpr int kMaxJsonDepth = 64;
-
 /// What the body says, or the error to send back.
 std::variant<Message, ClientResponse, std::string> ParseMessage(
     std::string_view body);

@@ -22,7 +22,6 @@ bool IsMark(char c) {
          c == ':';
 }
 
-constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 constexpr std::array<std::string_view, 7> kOperators = {
     "->", "!=", "<=", ">=", "=", "<", ">"};
 
@@ -83,7 +82,7 @@ Piece FirstOf(std::string_view rest) {
 
 std::vector<Token> Tokenize(std::string_view text) {
   std::vector<Token> tokens;
-  std::size_t at = text.starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0;
+  std::size_t at = TextBegin(text);
   while (at < text.size()) {
     if (IsBlank(text[at])) {
       ++at;

@@ -53,9 +53,10 @@ Inputs RunsOfStudy(const std::string& folder, const std::string& only) {
 Inputs RunsInFolder(const std::string& folder) {
   std::error_code error;
   std::vector<std::string> paths;
-  for (const auto& entry : fs::directory_iterator(folder, error))
-    if (entry.path().extension() == ".sqlite")
-      paths.push_back(entry.path().string());
+  for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
+       entry.increment(error))
+    if (entry->path().extension() == ".sqlite")
+      paths.push_back(entry->path().string());
   if (error)
     return Inputs::Failed(
         fmt::format("cannot read '{}': {}", folder, error.message()));

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "runtime/store/lock.h"
+#include "runtime/store/verify.h"
 
 namespace plsc {
 
@@ -59,6 +60,8 @@ Failure ReadAll(const std::string& path, const ReadOptions& options,
   if (expected && reading.experiment != *expected)
     return fmt::format(
         "'{}' is a run of another experiment or seed than the study's", path);
+  if (options.verify)
+    if (Failure failure = Examine(path).problem) return failure;
   if (Failure failure = ReadTables(path, options, reading)) return failure;
   return ReadRobots(store, reading);
 }

@@ -30,6 +30,7 @@ struct RunReading {
 struct ReadOptions {
   std::vector<ReportMeasure> measures;
   bool with_spread = false;  ///< as SummarisePopulation's
+  bool verify = false;       ///< all rows; what is damaged is not read
 };
 
 /// `expected`: the run that must be there, if that is known.

@@ -129,12 +129,13 @@ int ComparedGeneration(const StudyReport& report) {
 
 StudyReport BuildReport(const ReportInputs& inputs,
                         const std::vector<ReportMeasure>& measures,
-                        const ReportProgress& on_run) {
+                        const ReportProgress& on_run, bool verify) {
   StudyReport report;
   report.title = inputs.title;
   report.measures = measures;
   report.is_single = inputs.runs.size() == 1;
-  const ReadOptions options{measures, report.is_single};
+  report.is_verified = verify;
+  const ReadOptions options{measures, report.is_single, verify};
   for (const ReportInput& input : inputs.runs) {
     report.runs.push_back(
         {input, ReadRun(input.path, options, input.expected)});

@@ -39,14 +39,17 @@ struct StudyReport {
   /// That experiments are compared at: the last one that a run of every
   /// experiment which has begun has completed; -1 if there is none.
   int generation = -1;
-  bool is_single = false;  ///< one run: curves are of its population
+  bool is_single = false;    ///< one run: curves are of its population
+  bool is_verified = false;  ///< every row was compared with its checksum
 };
 
 /// Told after each run, with how many of how many are read.
 using ReportProgress = std::function<void(std::size_t done, std::size_t total)>;
 
+/// `verify`: compare all results with their checksums, which takes many times
+/// as long as to read them.
 StudyReport BuildReport(const ReportInputs& inputs,
                         const std::vector<ReportMeasure>& measures,
-                        const ReportProgress& on_run);
+                        const ReportProgress& on_run, bool verify = false);
 
 }  // namespace plsc

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "runtime/formats/environment_json.h"
 #include "runtime/report/comparison.h"
 #include "runtime/scenario_terrain.h"
 
@@ -162,6 +163,15 @@ Json RegulationJson(const StudyReport& report) {
   return json;
 }
 
+/// State -> value; null where nothing is sensed.
+Json SensedJson(const std::vector<SensedState>& sensed,
+                const std::vector<State>& states) {
+  Json json;
+  for (const SensedState& state : sensed)
+    json[state.name] = SensedValueJson(state.name, state.value, states);
+  return json;
+}
+
 Json PortraitJson(const Portrait& portrait) {
   constexpr double kCentimetres = 100;
   Json json{{"id", portrait.id},
@@ -178,7 +188,7 @@ Json PortraitJson(const Portrait& portrait) {
          {"balance", Number(season.balance)},
          {"size", season.size},
          {"change", ChangeName(season.change)},
-         {"sensed", season.sensed},
+         {"sensed", SensedJson(season.sensed, portrait.states)},
          {"svg", TextOrNull(season.svg)}});
   for (const RuleUse& rule : portrait.rules)
     json["rules"].push_back({{"symbol", rule.symbol},
@@ -277,6 +287,7 @@ std::string ReportJson(const StudyReport& report, const ReportMade& made) {
   json["title"] = report.title;
   json["made"] = {{"by", made.by}, {"at", made.at}};
   json["single"] = report.is_single;
+  json["verified"] = report.is_verified;
   json["generation"] =
       report.generation < 0 ? Json(nullptr) : Json(report.generation);
   json["seasons"] = report.seasons;

@@ -14,13 +14,6 @@ namespace plsc {
 
 namespace {
 
-std::string SensedText(const std::vector<SensedState>& sensed) {
-  std::string text;
-  for (const SensedState& state : sensed)
-    text += (text.empty() ? "" : ", ") + state.name + " " + state.value;
-  return text;
-}
-
 /// What regulates a robot in each of its seasons; nothing where its life did
 /// not get to.
 std::vector<std::optional<Environment>> EnvironmentsOf(const Individual& one,
@@ -70,7 +63,7 @@ SeasonPortrait PortraitIn(const SeasonResult& season) {
   }
   portrait.size = season.body.absolute_size;
   portrait.change = season.change;
-  portrait.sensed = SensedText(season.sensed);
+  portrait.sensed = season.sensed;
   return portrait;
 }
 
@@ -95,6 +88,7 @@ Loaded<Portrait> PortraitOf(RunStore& store, int id) {
   portrait.id = id;
   portrait.name = one->genotype.name;
   portrait.born = one->generation;
+  portrait.states = one->genotype.states;
   for (std::size_t i = 0; i < one->evaluation.seasons.size(); ++i) {
     SeasonPortrait season = PortraitIn(one->evaluation.seasons[i]);
     if (i < evidence->size() && environments[i])

@@ -19,8 +19,8 @@ struct SeasonPortrait {
   std::optional<double> balance;  ///< likewise
   int size = 0;                   ///< modules without sensors; 0: no robot
   Change change = Change::kBorn;
-  std::string sensed;  ///< "inclined True"; empty if it senses nothing
-  std::string svg;     ///< the body from above; empty if there is none
+  std::vector<SensedState> sensed;  ///< empty if it senses nothing
+  std::string svg;  ///< the body from above; empty if there is none
 };
 
 /// A rule, and in which seasons its clause held.
@@ -33,7 +33,8 @@ struct RuleUse {
 struct Portrait {
   int id = 0;
   std::string name;
-  int born = 0;  ///< generation
+  int born = 0;               ///< generation
+  std::vector<State> states;  ///< that it can sense
   std::vector<SeasonPortrait> seasons;
   std::vector<RuleUse> rules;  ///< in the genotype's order
 };

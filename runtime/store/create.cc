@@ -1,16 +1,11 @@
 #include "runtime/store/create.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
-
-#include <cerrno>
-#include <cstdio>
-#include <filesystem>
-#include <system_error>
 
 #include "runtime/store/checksum.h"
 #include "runtime/store/constants.h"
 #include "runtime/store/database.h"
+#include "runtime/store/make_database.h"
 #include "runtime/store/schema.h"
 
 namespace plsc {
@@ -23,10 +18,6 @@ using Failure = std::optional<std::string>;
 // needs them (docs/decisions/0003-random-streams.md).
 constexpr const char* kRandom =
     "Philox4x64-10 keyed by seed, generation, individual, purpose";
-
-std::string SystemReason(int error) {
-  return std::error_code(error, std::generic_category()).message();
-}
 
 void AddSchema(Database& database) {
   database.Run(
@@ -68,49 +59,18 @@ void AddRun(Database& database, const Experiment& experiment,
   sum.With(checksums.OfRun()).Run();
 }
 
-Failure Fill(const std::string& path, const Experiment& experiment,
-             const Versions& versions) {
-  Database database;
-  if (Failure failure = database.Open(path, Database::Mode::kCreate))
-    return failure;
-  // Stays with the file. Readers and the writer do not wait for each other.
-  database.Run("PRAGMA journal_mode = WAL");
-  Failure failure;
-  {
-    Transaction transaction(database);
-    AddSchema(database);
-    AddConstants(database, experiment.scenario);
-    AddRun(database, experiment, versions);
-    failure = transaction.Commit();
-  }
-  database.Close();
-  return failure;
-}
-
-void Remove(const std::string& path) {
-  for (const char* end : {"", "-wal", "-shm"}) {
-    std::error_code ignored;
-    std::filesystem::remove(path + end, ignored);
-  }
-}
-
 }  // namespace
 
 Failure CreateStoreFile(const std::string& path, const Experiment& experiment,
-                        const Versions& versions) {
-  // Beside it first: a kill in between leaves no store that is half made.
-  const std::string beside = path + ".new";
-  Remove(beside);
-  if (Failure failure = Fill(beside, experiment, versions)) {
-    Remove(beside);
-    return failure;
-  }
-  if (std::rename(beside.c_str(), path.c_str()) != 0) {
-    const int error = errno;
-    Remove(beside);
-    return fmt::format("cannot create '{}': {}", path, SystemReason(error));
-  }
-  return std::nullopt;
+                        const Versions& versions, RunLock& lock) {
+  return MakeDatabase(
+      path,
+      [&](Database& database) {
+        AddSchema(database);
+        AddConstants(database, experiment.scenario);
+        AddRun(database, experiment, versions);
+      },
+      [&](int descriptor) { return lock.TakeNew(path, descriptor); });
 }
 
 }  // namespace plsc

@@ -6,14 +6,16 @@
 #include <string>
 
 #include "runtime/evolve/experiment.h"
+#include "runtime/store/lock.h"
 #include "runtime/store/run_store.h"
 
 namespace plsc {
 
-/// Makes the file as a whole or not at all: `path` must not exist, and only
-/// one process may try. What went wrong, or nothing.
+/// Makes the file as a whole or not at all: `path` must not exist. What went
+/// wrong, or nothing; then `lock` is on it from its first instant.
 std::optional<std::string> CreateStoreFile(const std::string& path,
                                            const Experiment& experiment,
-                                           const Versions& versions);
+                                           const Versions& versions,
+                                           RunLock& lock);
 
 }  // namespace plsc

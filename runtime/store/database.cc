@@ -8,10 +8,15 @@
 #include <bit>
 #include <cerrno>
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <limits>
+#include <set>
 #include <system_error>
 #include <utility>
+
+#include "runtime/store/companions.h"
+#include "runtime/store/database_file.h"
 
 namespace plsc {
 
@@ -21,10 +26,6 @@ namespace {
 // (WAL); only checkpoints and recovery take moments.
 constexpr int kPatience = 10000;
 
-std::string SystemReason(int error) {
-  return std::error_code(error, std::generic_category()).message();
-}
-
 /// `last_error`: the system's, after the call that failed. SQLite keeps it of
 /// some calls only.
 std::string Explain(sqlite3* connection, const std::string& path, int code,
@@ -32,12 +33,14 @@ std::string Explain(sqlite3* connection, const std::string& path, int code,
   const char* said = sqlite3_errmsg(connection);
   const int kept = sqlite3_system_errno(connection);
   const int error = kept != 0 ? kept : last_error;
-  const std::string reason = error != 0 ? SystemReason(error) : said;
+  const std::string reason = error != 0 ? ReasonOf(error) : said;
   switch (code & 0xff) {  // the rest says more of it
     case SQLITE_FULL:
-      return fmt::format("cannot write to '{}': {}", path,
-                         SystemReason(ENOSPC));
+      return fmt::format("cannot write to '{}': {}", path, ReasonOf(ENOSPC));
     case SQLITE_IOERR:
+      // Disks are full in several ways.
+      if (error == EFBIG || error == ENOSPC || error == EDQUOT)
+        return fmt::format("cannot write to '{}': {}", path, reason);
       return fmt::format("cannot read or write '{}': {}", path, reason);
     case SQLITE_CANTOPEN:
     case SQLITE_PERM:
@@ -57,36 +60,12 @@ std::string Explain(sqlite3* connection, const std::string& path, int code,
   }
 }
 
-/// What the system says before SQLite would say less.
-Database::Failure CheckFile(const std::string& path, Database::Mode mode) {
-  // access, because to open and close the file would drop the locks of another
-  // connection of this process.
-  std::error_code error;
-  const auto status = std::filesystem::status(path, error);
-  if (!std::filesystem::exists(status))
-    return fmt::format("cannot open '{}': {}", path,
-                       SystemReason(error ? error.value() : ENOENT));
-  if (std::filesystem::is_directory(status))
-    return fmt::format("cannot open '{}': it is a folder", path);
-  if (!std::filesystem::is_regular_file(status))
-    return fmt::format("cannot open '{}': it is no file", path);
-  const bool is_reading =
-      mode == Database::Mode::kRead || mode == Database::Mode::kSalvage;
-  const int rights = is_reading ? R_OK : R_OK | W_OK;
-  if (access(path.c_str(), rights) != 0)
-    return fmt::format("cannot {} '{}': {}", is_reading ? "read" : "write to",
-                       path, SystemReason(errno));
-  // SQLite takes an empty file for a database without tables.
-  if (mode != Database::Mode::kCreate &&
-      std::filesystem::file_size(path, error) == 0)
-    return fmt::format("'{}' is empty", path);
-  return std::nullopt;
-}
-
-/// Without a journal nobody writes, and a reader that did more than read the
-/// file would leave files of its own beside it.
-bool HasNoJournal(const std::string& path) {
-  return access((path + "-wal").c_str(), F_OK) != 0;
+/// Files to which this process has connections. To open and close one of them
+/// besides would drop SQLite's locks on it, and what lies beside them is known
+/// to be theirs.
+std::multiset<FileId>& ConnectedFiles() {
+  static std::multiset<FileId> files;
+  return files;
 }
 
 /// Changes whenever the file does: its size and when it was written.
@@ -251,45 +230,99 @@ Database::Failure Database::Open(const std::string& path, Mode mode) {
   path_ = path;
   owner_ = getpid();
   is_reading_ = mode == Mode::kRead || mode == Mode::kSalvage;
-  if (mode != Mode::kCreate)
-    if (Failure failure = CheckFile(path, mode)) return failure;
+  is_immutable_ = false;
+  real_path_ = mode == Mode::kMemory ? "" : RealPath(path);
+  if (mode != Mode::kMemory) {
+    if (Failure failure = CheckFile(path, mode == Mode::kWrite)) return failure;
+    const std::string shown = ShownPath(path);
+    const std::optional<FileId> file = FileIdOf(real_path_);
+    if (!file || !ConnectedFiles().contains(*file))
+      if (Failure failure = CheckCompanions(shown)) return failure;
+    if (Failure failure = CheckBeside(shown, mode == Mode::kWrite))
+      return failure;
+    file_ = file;
+  }
   if (Failure failure = Connect(mode)) {
     Close();
     return failure;
   }
+  if (mode == Mode::kWrite) RememberPlace();
   return std::nullopt;
 }
 
 Database::Failure Database::Connect(Mode mode) {
-  const bool is_reading = is_reading_;
-  is_immutable_ = is_reading && HasNoJournal(path_);
+  is_immutable_ = is_reading_ && HasNoJournal(real_path_);
   if (is_immutable_) stamp_ = StampOf(path_);
-  const int flags = is_reading ? SQLITE_OPEN_READONLY
-                    : mode == Mode::kCreate
-                        ? SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE
-                        : SQLITE_OPEN_READWRITE;
-  const std::string name = is_immutable_ ? UriOf(path_) : path_;
-  Check(sqlite3_open_v2(name.c_str(), &connection_,
-                        flags | (is_immutable_ ? SQLITE_OPEN_URI : 0),
-                        nullptr));
+  const std::string name = mode == Mode::kMemory ? ":memory:"
+                           : is_immutable_       ? UriOf(real_path_)
+                                                 : real_path_;
+  Check(sqlite3_open_v2(
+      name.c_str(), &connection_,
+      (is_reading_ ? SQLITE_OPEN_READONLY : SQLITE_OPEN_READWRITE) |
+          (is_immutable_ ? SQLITE_OPEN_URI : 0),
+      nullptr));
+  if (file_ && connection_ != nullptr) ConnectedFiles().insert(*file_);
   if (has_failed()) return TakeFailure();
+  Prepare(mode);
+  return TakeFailure();
+}
+
+void Database::Prepare(Mode mode) {
   sqlite3_extended_result_codes(connection_, 1);
   sqlite3_busy_timeout(connection_, kPatience);
   // A damaged file must not run what its schema says, and reading must not
   // move what another process wrote from its journal into the file.
   const bool is_salvage = mode == Mode::kSalvage;
-  sqlite3_db_config(connection_, SQLITE_DBCONFIG_DEFENSIVE, is_salvage ? 0 : 1,
-                    nullptr);
+  sqlite3_db_config(connection_, SQLITE_DBCONFIG_DEFENSIVE,
+                    is_salvage || mode == Mode::kMemory ? 0 : 1, nullptr);
   // Without this SQLite reads nothing of a file that is shorter than it says.
   if (is_salvage) Run("PRAGMA writable_schema = ON");
   sqlite3_db_config(connection_, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
-  if (is_reading)
+  if (is_reading_)
     sqlite3_db_config(connection_, SQLITE_DBCONFIG_NO_CKPT_ON_CLOSE, 1,
                       nullptr);
   Run("PRAGMA cell_size_check = ON; PRAGMA foreign_keys = ON;"
       "PRAGMA synchronous = NORMAL; PRAGMA temp_store = MEMORY;"
       "SELECT count(*) FROM sqlite_master");
-  return TakeFailure();
+}
+
+void Database::RememberPlace() {
+  is_placed_ = true;
+  journal_ = FileIdOf(real_path_ + "-wal");
+  index_ = FileIdOf(real_path_ + "-shm");
+}
+
+Database::Failure Database::CheckInPlace() const {
+  return CheckInPlace(file_);
+}
+
+Database::Failure Database::CheckInPlace(
+    const std::optional<FileId>& file) const {
+  const char* lost = FileIdOf(real_path_) != file                ? ""
+                     : FileIdOf(real_path_ + "-wal") != journal_ ? "-wal"
+                     : FileIdOf(real_path_ + "-shm") != index_   ? "-shm"
+                                                                 : nullptr;
+  if (lost == nullptr) return std::nullopt;
+  return fmt::format(
+      "'{}{}' was deleted, moved or replaced while it was written to",
+      ShownPath(path_), lost);
+}
+
+std::string Database::Image() {
+  if (connection_ == nullptr || has_failed()) return "";
+  sqlite3_int64 size = 0;
+  unsigned char* bytes = sqlite3_serialize(connection_, "main", &size, 0);
+  if (bytes == nullptr) {
+    Fail(fmt::format("cannot make '{}': out of memory", path_));
+    return "";
+  }
+  std::string image(reinterpret_cast<const char*>(bytes),
+                    static_cast<std::size_t>(size));
+  sqlite3_free(bytes);
+  // https://www.sqlite.org/fileformat.html, 1.3.3: written and read as WAL,
+  // so that readers and the writer do not wait for each other.
+  image[18] = image[19] = 2;
+  return image;
 }
 
 bool Database::is_own() const {
@@ -298,7 +331,27 @@ bool Database::is_own() const {
 
 void Database::Close() {
   sqlite3* connection = std::exchange(connection_, nullptr);
-  if (connection != nullptr && is_own()) sqlite3_close(connection);
+  const std::optional<FileId> file = std::exchange(file_, std::nullopt);
+  if (connection == nullptr || !is_own()) return;
+  const bool is_lost = is_placed_ && CheckInPlace(file);
+  is_placed_ = false;
+  // SQLite would delete by their names what may be others' by now.
+  int pages = 0, moved = -1;
+  if (is_lost) {
+    sqlite3_wal_checkpoint_v2(connection, nullptr, SQLITE_CHECKPOINT_PASSIVE,
+                              &pages, &moved);
+    sqlite3_db_config(connection, SQLITE_DBCONFIG_NO_CKPT_ON_CLOSE, 1, nullptr);
+  }
+  sqlite3_close(connection);
+  if (is_lost && pages == moved) {  // into the file, wherever that is
+    if (FileIdOf(real_path_ + "-wal") == journal_)
+      unlink((real_path_ + "-wal").c_str());
+    if (FileIdOf(real_path_ + "-shm") == index_)
+      unlink((real_path_ + "-shm").c_str());
+  }
+  if (!file) return;
+  const auto connected = ConnectedFiles().find(*file);
+  if (connected != ConnectedFiles().end()) ConnectedFiles().erase(connected);
 }
 
 void Database::Run(const std::string& sql) {

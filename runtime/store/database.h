@@ -10,6 +10,8 @@
 #include <string>
 #include <string_view>
 
+#include "runtime/store/file_id.h"
+
 struct sqlite3;       // SQLite's own, as its header declares them
 struct sqlite3_stmt;  // likewise
 
@@ -85,8 +87,8 @@ class Database {
  public:
   using Failure = std::optional<std::string>;
   enum class Mode : std::uint8_t {
-    kCreate,   ///< a new file
-    kWrite,    ///< one that exists
+    kMemory,   ///< no file, whatever the path: see Image
+    kWrite,    ///< a file that exists
     kRead,     ///< likewise; nothing is ever changed
     kSalvage,  ///< likewise; also what is cut off
   };
@@ -96,10 +98,17 @@ class Database {
   Database(const Database&) = delete;
   Database& operator=(const Database&) = delete;
 
+  /// Refused is also what SQLite would use with the file and is not of it
+  /// (companions.h), and to write to a file that has several names.
   Failure Open(const std::string& path, Mode mode);
   /// All statements must be gone. In a child of a fork it does nothing: the
   /// file is the parent's.
   void Close();
+  /// Whether what is written still goes to the file of this name: that neither
+  /// it nor its journal was deleted, moved or replaced since it was opened.
+  Failure CheckInPlace() const;
+  /// Of a database in memory: what a file would have in it, in WAL mode.
+  std::string Image();
   bool is_open() const { return connection_ != nullptr; }
   /// Opened by this very process, not by a parent of it.
   bool is_own() const;
@@ -118,9 +127,18 @@ class Database {
   friend class Transaction;
   void Check(int code);
   Failure Connect(Mode mode);
+  void Prepare(Mode mode);
+  void RememberPlace();
+  Failure CheckInPlace(const std::optional<FileId>& file) const;
 
   sqlite3* connection_ = nullptr;
   std::string path_;
+  std::string real_path_;  // no links in it: companions are beside the file
+  std::optional<FileId> file_;  // while there is a connection to one
+  // Of who writes, from when it was opened:
+  bool is_placed_ = false;
+  std::optional<FileId> journal_;
+  std::optional<FileId> index_;
   int owner_ = 0;  // pid
   bool is_reading_ = false;
   bool is_immutable_ = false;  // SQLite takes the file for one that stays

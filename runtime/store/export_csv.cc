@@ -1,34 +1,35 @@
 #include <fmt/format.h>
 
+#include <charconv>
+#include <nlohmann/json.hpp>
+#include <set>
 #include <utility>
 
+#include "runtime/formats/csv_cell.h"
+#include "runtime/formats/environment_json.h"
 #include "runtime/store/database.h"
 #include "runtime/store/export.h"
+#include "runtime/store/names.h"
 #include "runtime/store/verify.h"
 
 namespace plsc {
 
 namespace {
 
-std::string Quoted(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) {
-    quoted += c;
-    if (c == '"') quoted += c;
-  }
-  return quoted + '"';
-}
+using Failure = std::optional<std::string>;
 
-std::string Cell(Statement& row) {
-  switch (row.Type()) {
-    case 'i':
-      return std::to_string(row.TakeInteger());
-    case 'r':
-      return fmt::format("{}", row.TakeReal());
-    default:  // NULL is an empty text, too
-      return Quoted(row.TakeText());
-  }
+/// {"hot":"False"} as {"hot":false}.
+std::string TypedSenses(const std::string& text,
+                        const std::vector<State>& states) {
+  const auto senses = nlohmann::ordered_json::parse(text, nullptr, false);
+  if (!senses.is_object()) return text;
+  auto typed = nlohmann::ordered_json::object();
+  for (const auto& [name, value] : senses.items())
+    typed[name] = value.is_string()
+                      ? SensedValueJson(name, value.get<std::string>(), states)
+                      : value;
+  return typed.dump(-1, ' ', false,
+                    nlohmann::ordered_json::error_handler_t::replace);
 }
 
 std::string Header(const Statement& rows) {
@@ -41,50 +42,143 @@ std::string Header(const Statement& rows) {
   return line + "\r\n";
 }
 
+int NumberOf(const std::string& cell) {
+  int number = 0;
+  std::from_chars(cell.data(), cell.data() + cell.size(), number);
+  return number;
+}
+
 }  // namespace
 
 const std::vector<CsvTable>& CsvTables() {
   static const std::vector<CsvTable> tables = {
-      {"run",
+      {"run", CsvRows::kOfRun,
        "SELECT name, seed, generations, evaluations, random, plsc, ode, "
        "compiler, machine, experiment, scenario FROM run"},
-      {"constants",
+      {"constants", CsvRows::kOfRun,
        "SELECT season.name AS season, physics.name, value, unit FROM physics "
        "JOIN season ON season.id = physics.season "
        "ORDER BY season.id, physics.name"},
-      {"individuals",
+      {"individuals", CsvRows::kOfBirths,
        "SELECT individual.id, individual.name, generation, parent1, parent2, "
        "from_second, mutation, mutated_rule, senses, text AS genotype "
        "FROM individual JOIN genotype ON genotype.id = individual.id "
        "ORDER BY individual.id"},
-      {"results",
+      {"results", CsvRows::kOfEvaluations,
        "SELECT result.* FROM result JOIN season ON season.name = "
        "result.season ORDER BY result.id, season.id"},
-      {"generations", "SELECT number, best FROM generation ORDER BY number"},
-      {"members",
+      {"generations", CsvRows::kOfGenerations,
+       "SELECT number, best FROM generation ORDER BY number"},
+      {"members", CsvRows::kOfGenerations,
        "SELECT generation, place, individual, count, survivor FROM member "
        "ORDER BY generation, place"},
-      {"robots", "SELECT phenotype, body, brain FROM robot ORDER BY phenotype"},
+      {"robots", CsvRows::kOfRobots,
+       "SELECT phenotype, body, brain FROM robot ORDER BY phenotype"},
   };
   return tables;
 }
 
-std::optional<std::string> WriteCsv(const std::string& run,
-                                    const CsvTable& table, const Sink& sink) {
+struct CsvExport::Parts {
   Database database;
-  if (auto failure = database.Open(run, Database::Mode::kRead)) return failure;
-  if (auto failure = CheckIdentity(database)) return failure;
+  std::optional<Transaction> instant;
+  std::vector<State> states;
+  Health health;
+  /// Phenotypes of whole evaluations; only where there are others.
+  std::set<std::string> robots;
+
+  bool IsWhole(CsvRows rows, const std::string& first) const;
+  std::string Cell(Statement& row, const std::string& column) const;
+  void FindRobots();
+};
+
+bool CsvExport::Parts::IsWhole(CsvRows rows, const std::string& first) const {
+  const int number = NumberOf(first);
+  switch (rows) {
+    case CsvRows::kOfRun:
+      return health.is_run_whole;
+    case CsvRows::kOfBirths:
+      return health.births.contains(number);
+    case CsvRows::kOfEvaluations:  // the generation of birth is there, too
+      return health.evaluations.contains(number) &&
+             health.births.contains(number);
+    case CsvRows::kOfGenerations:
+      return health.generations.contains(number);
+    case CsvRows::kOfRobots:
+      return !health.problem || robots.contains(first);
+  }
+  return false;
+}
+
+std::string CsvExport::Parts::Cell(Statement& row,
+                                   const std::string& column) const {
+  switch (row.Type()) {
+    case 'i':
+      return std::to_string(row.TakeInteger());
+    case 'r':
+      return fmt::format("{}", row.TakeReal());
+    default:  // NULL is an empty text, too
+      break;
+  }
+  const std::string text = row.TakeText();
+  const bool is_senses = column == "sensed" || column == "senses";
+  return CsvCell(is_senses ? TypedSenses(text, states) : text);
+}
+
+void CsvExport::Parts::FindRobots() {
+  Statement rows(database,
+                 "SELECT individual, phenotype FROM evaluation "
+                 "WHERE phenotype IS NOT NULL");
+  rows.With();
+  while (rows.Next()) {
+    const bool is_whole = health.evaluations.contains(rows.TakeInt());
+    if (is_whole) robots.insert(rows.TakeText());
+  }
+  database.TakeFailure();  // what cannot be read is not there
+}
+
+CsvExport::CsvExport() : parts_(std::make_unique<Parts>()) {}
+
+CsvExport::~CsvExport() = default;
+
+Failure CsvExport::Open(const std::string& run) {
+  Database& database = parts_->database;
+  if (Failure failure = database.Open(run, Database::Mode::kRead))
+    return failure;
+  parts_->instant.emplace(database);
+  if (Failure failure = CheckIdentity(database)) return failure;
+  parts_->health = Examine(database);
+  if (!parts_->health.is_run_whole) return parts_->health.problem;
+  if (parts_->health.problem) parts_->FindRobots();
+  Statement experiment(database, "SELECT experiment FROM run");
+  if (experiment.With().Next())
+    if (const auto parsed = ParseExperiment(Source(run, experiment.TakeText())))
+      parts_->states = parsed->genotype.states;
+  return database.TakeFailure();
+}
+
+const Failure& CsvExport::damage() const {
+  return parts_->health.problem;
+}
+
+Failure CsvExport::Write(const CsvTable& table, const Sink& sink) {
+  Database& database = parts_->database;
   Statement rows(database, table.sql);
-  if (auto failure = database.TakeFailure()) return failure;
-  if (auto failure = sink(Header(rows))) return failure;
+  if (Failure failure = database.TakeFailure()) return failure;
+  if (Failure failure = sink(Header(rows))) return failure;
+  std::vector<std::string> columns;
+  for (int i = 0; i < rows.columns(); ++i)
+    columns.push_back(rows.ColumnName(i));
   rows.With();
   while (rows.Next()) {
     std::string line;
-    for (int i = 0; i < rows.columns(); ++i) {
-      if (i > 0) line += ',';
-      line += Cell(rows);
+    std::string first;
+    for (const std::string& column : columns) {
+      std::string cell = parts_->Cell(rows, column);
+      if (line.empty()) first = cell;
+      line += (line.empty() ? "" : ",") + cell;
     }
-    if (auto failure = sink(line + "\r\n")) return failure;
+    if (!parts_->IsWhole(table.rows, first)) continue;
+    if (Failure failure = sink(line + "\r\n")) return failure;
   }
   return database.TakeFailure();
 }

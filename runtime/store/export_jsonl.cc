@@ -5,6 +5,8 @@
 #include "compiler/print.h"
 #include "runtime/formats/season_json.h"
 #include "runtime/store/export.h"
+#include "runtime/store/heritage_json.h"
+#include "runtime/store/verify.h"
 
 namespace plsc {
 
@@ -21,7 +23,7 @@ std::string RunLine(const RunStore& store) {
   const Experiment& experiment = store.experiment();
   Json run;
   run["name"] = experiment.name;
-  run["seed"] = experiment.seed;
+  run["seed"] = std::to_string(experiment.seed);
   run["evaluations"] = Evaluations(experiment);
   run["seasons"] = Json::array();
   for (const Season& season : experiment.scenario.seasons)
@@ -37,37 +39,19 @@ std::string RunLine(const RunStore& store) {
   return Dump({{"run", run}}) + "\n";
 }
 
-Json HeritageJson(const Individual& one) {
-  const Heritage& heritage = one.heritage;
-  Json json;
-  json["parents"] = heritage.parents;
-  json["from_second"] = Json::array();
-  for (const SymbolId head : heritage.from_second)
-    json["from_second"].push_back((*one.genotype.alphabet)[head].name);
-  json["mutation"] = nullptr;
-  json["mutated_rule"] = nullptr;
-  if (heritage.mutation) {
-    json["mutation"] = MutationName(heritage.mutation->kind);
-    json["mutated_rule"] = heritage.mutation->rule;
-  }
-  json["senses"] = Json::object();
-  for (const auto& [state, value] : heritage.senses)
-    json["senses"][state] = value;
-  return json;
-}
-
 std::string IndividualLine(const Individual& one) {
   Json json;
   json["id"] = one.id;
   json["generation"] = one.generation;
-  json.update(HeritageJson(one));
+  json.update(
+      HeritageJson(one.heritage, *one.genotype.alphabet, one.genotype.states));
   json["genotype"] = Print(one.genotype);
   std::string text = Dump(json);
   text.pop_back();  // the closing brace: the seasons are still to come
   std::string seasons;
   for (const SeasonResult& season : one.evaluation.seasons) {
     if (!seasons.empty()) seasons += ',';
-    seasons += SeasonJson(one.genotype.name, season);
+    seasons += SeasonJson(one.genotype, season);
   }
   return fmt::format("{{\"individual\":{},\"seasons\":[{}]}}}}\n", text,
                      seasons);
@@ -83,18 +67,30 @@ std::string GenerationLine(const GenerationRecord& record) {
   return Dump(json) + "\n";
 }
 
+Loaded<Health> HealthOf(const std::string& run) {
+  Database database;
+  if (auto failure = database.Open(run, Database::Mode::kRead))
+    return Loaded<Health>::Failed(*failure);
+  const Transaction instant(database);
+  Health health = Examine(database);
+  if (auto failure = database.TakeFailure())
+    return Loaded<Health>::Failed(*failure);
+  return health;
+}
+
 }  // namespace
 
 std::optional<std::string> WriteJsonl(const std::string& run,
                                       const Sink& sink) {
   RunStore store;
   if (auto failure = store.OpenForReading(run)) return failure;
+  const Loaded<Health> health = HealthOf(run);
+  if (!health) return health.failure();
   if (auto failure = sink(RunLine(store))) return failure;
-  const Loaded<int> born = store.Born();
-  if (!born) return born.failure();
   // What can be read of a damaged run is written; the rest is told at the end.
-  std::optional<std::string> damage;
-  for (int id = 1; id <= *born; ++id) {
+  std::optional<std::string> damage = health->problem;
+  for (const int id : health->births) {
+    if (!health->evaluations.contains(id)) continue;
     const Loaded<Individual> one = store.Find(id);
     if (!one) {
       if (!damage) damage = one.failure();
@@ -102,10 +98,8 @@ std::optional<std::string> WriteJsonl(const std::string& run,
     }
     if (auto failure = sink(IndividualLine(*one))) return failure;
   }
-  const Loaded<RunStatus> status = store.Status();
-  if (!status) return status.failure();
-  for (int g = 0; g < status->generations; ++g) {
-    const Loaded<GenerationRecord> record = store.Generation(g);
+  for (const int number : health->generations) {
+    const Loaded<GenerationRecord> record = store.Generation(number);
     if (!record) {
       if (!damage) damage = record.failure();
       continue;

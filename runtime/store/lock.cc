@@ -2,62 +2,68 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
-#include <array>
 #include <cerrno>
-#include <system_error>
+#include <map>
 #include <utility>
+
+#include "runtime/store/database.h"
 
 namespace plsc {
 
 namespace {
 
-std::string LockOf(const std::string& run) {
-  return run + ".lock";
+// Behind those that SQLite locks, 510 from 0x40000000 on. As many as the number
+// of the process, so that whoever asks for the lock learns who has it: the
+// system does not tell of such locks.
+constexpr off_t kFirstByte = 0x50000000;
+
+struct flock BytesFor(pid_t process) {
+  struct flock bytes {};
+  bytes.l_type = F_WRLCK;
+  bytes.l_whence = SEEK_SET;
+  bytes.l_start = kFirstByte;
+  bytes.l_len = process;
+  return bytes;
 }
 
-std::string SystemReason(int error) {
-  return std::error_code(error, std::generic_category()).message();
+/// What this process has locked, and the process, which a fork changes.
+std::map<FileId, pid_t>& Held() {
+  static std::map<FileId, pid_t> held;
+  return held;
 }
 
-struct flock WholeFile() {
-  struct flock whole {};
-  whole.l_type = F_WRLCK;
-  whole.l_whence = SEEK_SET;
-  return whole;
+bool IsHeldHere(const std::optional<FileId>& file) {
+  if (!file) return false;
+  const auto held = Held().find(*file);
+  return held != Held().end() && held->second == getpid();
 }
 
-std::string HostName() {
-  std::array<char, 256> name{};
-  if (gethostname(name.data(), name.size() - 1) != 0) return "unknown host";
-  return name.data();
-}
-
-std::string Read(int descriptor) {
-  std::array<char, 512> text{};
-  const ssize_t size = pread(descriptor, text.data(), text.size(), 0);
-  return {text.data(), size > 0 ? static_cast<std::size_t>(size) : 0};
-}
-
-/// Who holds the lock on an open file, if anybody else does.
-std::optional<std::string> HolderOf(int descriptor) {
-  struct flock held = WholeFile();
-  if (fcntl(descriptor, F_GETLK, &held) != 0 || held.l_type == F_UNLCK)
+/// Which process holds the lock on an open file, if any does.
+std::optional<pid_t> HolderOf(int descriptor) {
+  struct flock held = BytesFor(1);
+  if (fcntl(descriptor, F_OFD_GETLK, &held) != 0 || held.l_type == F_UNLCK)
     return std::nullopt;
-  // Written by the holder once it has the lock. The system knows no host.
-  std::string holder = Read(descriptor);
-  if (holder.empty()) holder = fmt::format("process {}", held.l_pid);
-  return holder;
+  return static_cast<pid_t>(held.l_len);
 }
 
-bool IsStillThere(int descriptor, const std::string& path) {
-  struct stat open_file {};
-  struct stat named {};
-  return fstat(descriptor, &open_file) == 0 &&
-         stat(path.c_str(), &named) == 0 && open_file.st_ino == named.st_ino &&
-         open_file.st_dev == named.st_dev;
+/// The host is in the store, once the process has begun its session there.
+std::string NameOf(pid_t process, const std::string& run) {
+  std::string name = fmt::format("process {}", process);
+  Database database;
+  if (database.Open(run, Database::Mode::kRead)) return name;
+  Statement session(database,
+                    "SELECT host FROM session WHERE pid = ? AND ended IS NULL "
+                    "ORDER BY id DESC LIMIT 1");
+  if (session.With(process).Next()) name += " on " + session.TakeText();
+  return name;
+}
+
+std::string InUse(const std::string& run, pid_t process) {
+  return fmt::format(
+      "'{}' is in use by {}; a run is worked on by one at a time", run,
+      NameOf(process, run));
 }
 
 }  // namespace
@@ -66,52 +72,64 @@ RunLock::~RunLock() {
   Release();
 }
 
-std::optional<std::string> RunLock::Take(const std::string& run) {
+RunLock::Failure RunLock::Take(const std::string& run) {
   Release();
-  path_ = LockOf(run);
+  if (IsHeldHere(FileIdOf(run))) return InUse(run, getpid());
   while (true) {
-    descriptor_ = open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
+    descriptor_ = open(run.c_str(), O_RDWR | O_CLOEXEC);
     if (descriptor_ < 0)
-      return fmt::format("cannot create '{}': {}", path_, SystemReason(errno));
-    struct flock whole = WholeFile();
-    if (fcntl(descriptor_, F_SETLK, &whole) != 0) {
-      const int error = errno;
-      const auto holder = HolderOf(descriptor_);
-      close(std::exchange(descriptor_, -1));
-      if (error != EACCES && error != EAGAIN)
-        return fmt::format("cannot lock '{}': {}", path_, SystemReason(error));
-      if (!holder) continue;  // gone meanwhile
-      return fmt::format(
-          "'{}' is in use by {}; a run is worked on by one at a time", run,
-          *holder);
-    }
-    // Whoever held it may have removed the file between the two calls.
-    if (IsStillThere(descriptor_, path_)) break;
-    close(std::exchange(descriptor_, -1));
+      return fmt::format("cannot open '{}': {}", run, ReasonOf(errno));
+    if (Failure failure = Lock(run)) return failure;
+    // It may have been replaced between the two calls.
+    if (FileIdOf(run) == file_) return std::nullopt;
+    Release();
   }
-  owner_ = getpid();
-  const std::string text = fmt::format("process {} on {}", owner_, HostName());
-  // The lock counts, not this; on a full disk nobody is named.
-  if (ftruncate(descriptor_, 0) == 0 &&
-      pwrite(descriptor_, text.data(), text.size(), 0) < 0)
-    return std::nullopt;
+}
+
+RunLock::Failure RunLock::TakeNew(const std::string& run, int descriptor) {
+  Release();
+  // Another descriptor of the same open file, whose the lock is.
+  descriptor_ = fcntl(descriptor, F_DUPFD_CLOEXEC, 0);
+  if (descriptor_ < 0)
+    return fmt::format("cannot lock '{}': {}", run, ReasonOf(errno));
+  return Lock(run);
+}
+
+RunLock::Failure RunLock::Lock(const std::string& run) {
+  struct flock bytes = BytesFor(getpid());
+  while (fcntl(descriptor_, F_OFD_SETLK, &bytes) != 0) {
+    const int error = errno;
+    const std::optional<pid_t> holder = HolderOf(descriptor_);
+    const bool is_held = error == EACCES || error == EAGAIN;
+    if (is_held && !holder) continue;  // gone meanwhile
+    close(std::exchange(descriptor_, -1));
+    if (is_held) return InUse(run, *holder);
+    return fmt::format("cannot lock '{}': {}", run, ReasonOf(error));
+  }
+  struct stat status {};
+  fstat(descriptor_, &status);
+  file_ = IdOf(status);
+  Held()[file_] = getpid();
   return std::nullopt;
 }
 
 void RunLock::Release() {
+  // In a child of a fork this drops nothing: the lock is the open file's, which
+  // the parent has, too.
   const int descriptor = std::exchange(descriptor_, -1);
   if (descriptor < 0) return;
-  // Locks are the process's; a child has none, and no right to the file.
-  if (owner_ == getpid()) unlink(path_.c_str());
+  Held().erase(file_);
   close(descriptor);
 }
 
 std::optional<std::string> WhoWorksOn(const std::string& run) {
-  const int descriptor = open(LockOf(run).c_str(), O_RDONLY | O_CLOEXEC);
+  if (IsHeldHere(FileIdOf(run))) return NameOf(getpid(), run);
+  const int descriptor = open(run.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
   if (descriptor < 0) return std::nullopt;
-  auto holder = HolderOf(descriptor);
+  const auto holder = HolderOf(descriptor);
   close(descriptor);
-  return holder;
+  if (!holder) return std::nullopt;
+  return NameOf(*holder, run);
 }
 
 }  // namespace plsc

@@ -1,34 +1,50 @@
 #pragma once
 
-// Who works on a run: one process at most. A lock of the system (fcntl) on a
-// file beside the store, RUN.lock, which goes with the process however it
-// ends. Readers need none. See docs/decisions/0008-runs-are-sqlite-files.md.
+// Who works on a run: one process at most, under whatever name it knows the
+// file. A lock of the system on the store itself (an open file description
+// lock, on bytes that SQLite does not use), which goes with the process however
+// it ends. Readers need none. See docs/decisions/0008-runs-are-sqlite-files.md.
 
 #include <optional>
 #include <string>
+
+#include "runtime/store/file_id.h"
 
 namespace plsc {
 
 class RunLock {
  public:
+  using Failure = std::optional<std::string>;
+
   RunLock() = default;
   ~RunLock();
   RunLock(const RunLock&) = delete;
   RunLock& operator=(const RunLock&) = delete;
 
   /// What went wrong: "'run.sqlite' is in use by process 17 on host"; or
-  /// nothing. Does not refuse the very process that holds it.
-  std::optional<std::string> Take(const std::string& run);
-  void Release();  ///< and removes the file
+  /// nothing. This process must have no connection to the file yet: see
+  /// Release.
+  Failure Take(const std::string& run);
+  /// Of a file that has no name yet, by a descriptor of it, which stays the
+  /// caller's.
+  Failure TakeNew(const std::string& run, int descriptor);
+  /// Connections to the file must be closed: to close any descriptor of a file
+  /// drops the locks that SQLite has on it.
+  void Release();
+  /// Whether it holds the lock on what the path means.
+  bool IsOn(const std::string& run) const {
+    return descriptor_ >= 0 && FileIdOf(run) == file_;
+  }
 
  private:
+  Failure Lock(const std::string& run);
+
   int descriptor_ = -1;
-  int owner_ = 0;  // pid; a fork's copy must not remove the file
-  std::string path_;
+  FileId file_;
 };
 
-/// "process 17 on host", if another process works on the run now. Not to be
-/// asked by the process that does: it would lose its lock (as POSIX has it).
+/// "process 17 on host", if a process works on the run now. To be asked by a
+/// process that has no connection to it, or that holds the lock itself.
 std::optional<std::string> WhoWorksOn(const std::string& run);
 
 }  // namespace plsc

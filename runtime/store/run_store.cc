@@ -8,15 +8,20 @@
 #include <cassert>
 #include <cerrno>
 #include <filesystem>
+#include <map>
 #include <set>
 #include <system_error>
 #include <utility>
 
+#include "runtime/store/companions.h"
 #include "runtime/store/create.h"
 #include "runtime/store/database.h"
 #include "runtime/store/lock.h"
+#include "runtime/store/row_checks.h"
 #include "runtime/store/run_reader.h"
 #include "runtime/store/run_writer.h"
+#include "runtime/store/schema.h"
+#include "runtime/store/schema_check.h"
 #include "runtime/store/verify.h"
 #include "sim/machine_kind.h"
 
@@ -42,10 +47,8 @@ Failure CheckAbsent(const std::string& path) {
         path);
   const auto folder = std::filesystem::path(path).parent_path();
   if (access(folder.empty() ? "." : folder.c_str(), W_OK | X_OK) != 0)
-    return fmt::format(
-        "cannot create '{}': {}", path,
-        std::error_code(errno, std::generic_category()).message());
-  return std::nullopt;
+    return fmt::format("cannot create '{}': {}", path, ReasonOf(errno));
+  return CheckNoCompanions(path);
 }
 
 /// Results are a function of these too.
@@ -74,6 +77,13 @@ std::map<std::string, int> SeasonIds(const Experiment& experiment) {
   return ids;
 }
 
+bool HasDied(const Evaluation& evaluation) {
+  return std::any_of(evaluation.seasons.begin(), evaluation.seasons.end(),
+                     [](const SeasonResult& season) {
+                       return season.outcome == Outcome::kWorkerDied;
+                     });
+}
+
 }  // namespace
 
 // In the order in which they must go: statements before their connection, and
@@ -85,11 +95,16 @@ struct RunStore::Parts {
   RunLock lock;
   Database database;
   std::unique_ptr<RunReader> reader;
+  std::unique_ptr<RowChecks> checks;
   std::unique_ptr<RunWriter> writer;
   std::int64_t session = 0;  // its row
+  bool is_new = false;       // made by this object
+  bool is_lost = false;      // not where it was any more
 
   Failure Connect(Database::Mode mode);
   Failure ReadRun();
+  /// That what is written goes into the file of this name.
+  Failure CheckInPlace();
   /// Of everything since the last failure that somebody heard of.
   template <typename T>
   Loaded<T> Tell(T value) {
@@ -103,12 +118,21 @@ struct RunStore::Parts {
 Failure RunStore::Parts::Connect(Database::Mode mode) {
   if (Failure failure = database.Open(path, mode)) return failure;
   if (Failure failure = CheckIdentity(database)) return failure;
+  if (mode != Database::Mode::kRead)
+    if (Failure failure = CheckNothingAdded(database, Schema())) return failure;
   if (Failure failure = ReadRun()) return failure;
   reader = std::make_unique<RunReader>(database);
+  checks = std::make_unique<RowChecks>(database);
   if (mode != Database::Mode::kRead)
     writer =
         std::make_unique<RunWriter>(database, *reader, SeasonIds(experiment));
   return database.TakeFailure();
+}
+
+Failure RunStore::Parts::CheckInPlace() {
+  Failure failure = database.CheckInPlace();
+  is_lost = is_lost || failure;
+  return failure;
 }
 
 Failure RunStore::Parts::ReadRun() {
@@ -142,15 +166,19 @@ Failure RunStore::Create(const std::string& path, const Experiment& experiment,
   parts_ = std::make_unique<Parts>();
   parts_->path = path;
   if (Failure failure = CheckAbsent(path)) return failure;
-  if (Failure failure = parts_->lock.Take(path)) return failure;
-  // Another process may have made it before it gave the lock back.
-  Failure failure = CheckAbsent(path);
-  if (!failure)
-    failure =
-        CreateStoreFile(path, experiment, versions.value_or(ThisProgram()));
+  Failure failure = CreateStoreFile(
+      path, experiment, versions.value_or(ThisProgram()), parts_->lock);
+  // Another process may have made it since we looked.
+  if (failure)
+    if (Failure exists = CheckAbsent(path)) failure = std::move(exists);
+  parts_->is_new = !failure;
   if (!failure) failure = parts_->Connect(Database::Mode::kWrite);
-  if (failure) parts_ = std::make_unique<Parts>();
+  if (failure) Discard();
   return failure;
+}
+
+Failure RunStore::CheckCreate(const std::string& path) {
+  return CheckAbsent(path);
 }
 
 Failure RunStore::Open(const std::string& path, bool any_version) {
@@ -173,8 +201,20 @@ Failure RunStore::OpenForReading(const std::string& path) {
   parts_ = std::make_unique<Parts>();
   parts_->path = path;
   Failure failure = parts_->Connect(Database::Mode::kRead);
+  if (!failure) failure = parts_->checks->Run();
   if (failure) parts_ = std::make_unique<Parts>();
   return failure;
+}
+
+void RunStore::Discard() {
+  Parts& parts = *parts_;
+  parts.writer.reset();
+  parts.reader.reset();
+  parts.database.Close();
+  if (parts.is_new && parts.lock.IsOn(parts.path))
+    for (const char* end : {"", "-wal", "-shm"})
+      unlink((parts.path + end).c_str());
+  parts_ = std::make_unique<Parts>();
 }
 
 Failure RunStore::Close() {
@@ -186,12 +226,18 @@ Failure RunStore::Close() {
     // Passive: whoever reads for long is not waited for.
     parts.database.Run("PRAGMA wal_checkpoint(PASSIVE)");
     failure = parts.database.TakeFailure();
+    if (Failure lost = parts.CheckInPlace()) failure = std::move(lost);
   }
   parts.writer.reset();
+  parts.checks.reset();
   parts.reader.reset();
   parts.database.Close();
   parts.lock.Release();
   return failure;
+}
+
+bool RunStore::is_lost() const {
+  return parts_->is_lost;
 }
 
 const std::string& RunStore::path() const {
@@ -221,16 +267,23 @@ Loaded<SavedRun> RunStore::Load() {
           "'{}' is damaged: its last generation cannot be read", path()));
       return parts_->Tell(saved);
     }
+    std::map<int, int> counts;  // by id
+    for (std::size_t i = 0; i < last->pool.size(); ++i)
+      counts[last->pool[i]] = last->counts[i];
     for (const int id : last->survivors) {
       saved.population.push_back(reader.FindIndividual(id));
-      const auto place = std::find(last->pool.begin(), last->pool.end(), id);
-      saved.counts.push_back(
-          last->counts[static_cast<std::size_t>(place - last->pool.begin())]);
+      saved.counts.push_back(counts[id]);
     }
     next = *std::max_element(last->pool.begin(), last->pool.end()) + 1;
   }
-  for (const int id : reader.EvaluatedSince(next))
-    saved.evaluated.emplace(id, reader.FindEvaluation(id));
+  for (const int id : reader.EvaluatedSince(next)) {
+    Evaluation evaluation = reader.FindEvaluation(id);
+    // Nothing was selected by its death yet, so it is as if it never was.
+    if (HasDied(evaluation))
+      --saved.evaluations;
+    else
+      saved.evaluated.emplace(id, std::move(evaluation));
+  }
   return parts_->Tell(std::move(saved));
 }
 
@@ -239,7 +292,12 @@ Loaded<RunStatus> RunStore::Status() {
   RunReader& reader = *parts_->reader;
   const Transaction instant(parts_->database);
   RunStatus status;
+  if (Failure failure = parts_->checks->Completed(experiment()))
+    return Loaded<RunStatus>::Failed(*failure);
   status.generations = reader.Generations();
+  if (status.generations > 0)
+    if (Failure failure = parts_->checks->Generation(status.generations - 1))
+      return Loaded<RunStatus>::Failed(*failure);
   status.evaluations = reader.Evaluations();
   if (status.generations > 0)
     if (const auto last = reader.FindGeneration(status.generations - 1))
@@ -251,6 +309,8 @@ Loaded<RunStatus> RunStore::Status() {
 Loaded<Individual> RunStore::Find(int id) {
   assert(parts_->reader);
   const Transaction instant(parts_->database);
+  if (Failure failure = parts_->checks->Robot(experiment(), id))
+    return Loaded<Individual>::Failed(*failure);
   return parts_->Tell(parts_->reader->FindIndividual(id));
 }
 
@@ -263,10 +323,14 @@ Loaded<int> RunStore::Born() {
 Loaded<GenerationRecord> RunStore::Generation(int number) {
   assert(parts_->reader);
   const Transaction instant(parts_->database);
+  const auto failed = Loaded<GenerationRecord>::Failed;
+  if (Failure failure = parts_->checks->Completed(experiment()))
+    return failed(*failure);
+  if (number < 0 || number >= parts_->reader->Generations())
+    return failed(fmt::format("'{}' has no generation {}", path(), number));
+  if (Failure failure = parts_->checks->Generation(number))
+    return failed(*failure);
   auto record = parts_->reader->FindGeneration(number);
-  if (!record)
-    parts_->database.Fail(
-        fmt::format("'{}' has no generation {}", path(), number));
   return parts_->Tell(std::move(record).value_or(GenerationRecord{}));
 }
 
@@ -282,6 +346,9 @@ Loaded<std::vector<int>> RunStore::EvaluatedIds() {
 
 Loaded<std::vector<SeasonEvidence>> RunStore::EvidenceOf(int id) {
   assert(parts_->reader);
+  const Transaction instant(parts_->database);
+  if (Failure failure = parts_->checks->Robot(experiment(), id))
+    return Loaded<std::vector<SeasonEvidence>>::Failed(*failure);
   return parts_->Tell(parts_->reader->FindEvidence(id));
 }
 
@@ -293,9 +360,11 @@ std::vector<Ancestor> RunStore::Parts::FindLineage(int id, int distance) {
   for (int d = 0; d <= distance && !level.empty(); ++d) {
     std::set<int> parents;
     for (const int one : level) {
-      std::optional<Birth> birth = reader->FindBirth(one);
+      Failure failure = checks->Robot(experiment, one);
+      std::optional<Birth> birth;
+      if (!failure) birth = reader->FindBirth(one);
       if (!birth) {
-        database.Fail(fmt::format("'{}' has no robot {}", path, one));
+        if (failure) database.Fail(std::move(*failure));
         return lineage;
       }
       for (const int parent : birth->heritage.parents)
@@ -342,19 +411,23 @@ Failure RunStore::EndSession(const SessionEnd& end) {
   return parts_->database.TakeFailure();
 }
 
-Failure RunStore::OnBirths(const std::vector<Individual>& born) {
+Failure RunStore::OnBirths(const std::vector<Individual>& born,
+                           const std::function<bool()>& should_stop) {
   assert(parts_->writer);
-  return parts_->writer->Births(born);
+  if (Failure failure = parts_->CheckInPlace()) return failure;
+  return parts_->writer->Births(born, should_stop);
 }
 
 Failure RunStore::OnEvaluated(const Individual& one,
                               const std::vector<SeasonEvidence>& evidence) {
   assert(parts_->writer);
+  if (Failure failure = parts_->CheckInPlace()) return failure;
   return parts_->writer->Evaluated(one, evidence);
 }
 
 Failure RunStore::OnGeneration(const GenerationRecord& record) {
   assert(parts_->writer);
+  if (Failure failure = parts_->CheckInPlace()) return failure;
   return parts_->writer->Completed(record);
 }
 

@@ -8,6 +8,7 @@
 // for bit, whatever the order in which evaluations arrive.
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -58,6 +59,8 @@ class RunStore : public RunObserver, public SimulationCache {
   RunStore(const RunStore&) = delete;
   RunStore& operator=(const RunStore&) = delete;
 
+  /// What would keep Create from it, as far as can be told without making it.
+  static Failure CheckCreate(const std::string& path);
   /// Makes the file, which must not exist, for writing. `versions` default to
   /// those of this program; others are for tests.
   Failure Create(const std::string& path, const Experiment& experiment,
@@ -67,19 +70,27 @@ class RunStore : public RunObserver, public SimulationCache {
   /// one that another program or kind of machine began, unless `any_version`:
   /// its results may then be those of no single program.
   Failure Open(const std::string& path, bool any_version = false);
-  /// Changes nothing, and works while another process writes. What is wrong
-  /// with single values is found when they are read.
+  /// Changes nothing, and works while another process writes. What the run is
+  /// must be what was written; robots and generations are compared with their
+  /// checksums when they are read, and fail then.
   Failure OpenForReading(const std::string& path);
   /// Ends the work on it; the only way to learn that the last writes failed.
   /// The destructor does the same in silence.
   Failure Close();
+  /// Ends the work on it as if it had never begun: what Create made is deleted.
+  void Discard();
+  /// The file was deleted, moved or replaced while it was written to, which
+  /// the next On... and Close say; what they wrote is not in `path`.
+  bool is_lost() const;
 
   const std::string& path() const;
   const Experiment& experiment() const;
   /// Of the program that created it.
   const Versions& versions() const;
 
-  /// All of this is empty in a run that was created and left at once.
+  /// All of this is empty in a run that was created and left at once. Those of
+  /// the generation under way whose workers died are as not evaluated yet:
+  /// OnEvaluated replaces them.
   Loaded<SavedRun> Load();
   Loaded<RunStatus> Status();
   /// With its evaluation, if it has one, every field as it was, bit for bit
@@ -100,7 +111,8 @@ class RunStore : public RunObserver, public SimulationCache {
   Failure BeginSession(const SessionStart& start);
   Failure EndSession(const SessionEnd& end);
 
-  Failure OnBirths(const std::vector<Individual>& born) override;
+  Failure OnBirths(const std::vector<Individual>& born,
+                   const std::function<bool()>& should_stop) override;
   Failure OnEvaluated(const Individual& one,
                       const std::vector<SeasonEvidence>& evidence) override;
   Failure OnGeneration(const GenerationRecord& record) override;

@@ -152,6 +152,10 @@ RunWriter::RunWriter(Database& database, RunReader& reader,
                                 "simulation", "profile", "begin", "inclination",
                                 "sensed", "sources", "change", "change_reason",
                                 "outcome", "reason", "fitness", "checksum"})),
+      remove_lost_(database,
+                   "DELETE FROM evaluation WHERE individual = ? AND EXISTS("
+                   "SELECT 1 FROM evaluation WHERE individual = ? "
+                   "AND outcome = 'worker_died')"),
       sum_evaluation_(database,
                       "UPDATE evaluation SET checksum = ? "
                       "WHERE individual = ? AND season = ?"),
@@ -162,9 +166,11 @@ RunWriter::RunWriter(Database& database, RunReader& reader,
       member_(database, Insert("member", {"generation", "individual", "place",
                                           "count", "survivor"})) {}
 
-RunWriter::Failure RunWriter::Births(const std::vector<Individual>& born) {
+RunWriter::Failure RunWriter::Births(const std::vector<Individual>& born,
+                                     const std::function<bool()>& should_stop) {
   Transaction transaction(database_);
   for (const Individual& one : born) {
+    if (should_stop && should_stop()) return std::nullopt;
     const std::optional<Birth> stored = reader_.FindBirth(one.id);
     if (!stored) {
       AddIndividual(one);
@@ -222,6 +228,7 @@ void RunWriter::AddIndividual(const Individual& one) {
 RunWriter::Failure RunWriter::Evaluated(
     const Individual& one, const std::vector<SeasonEvidence>& evidence) {
   Transaction transaction(database_);
+  remove_lost_.With(one.id, one.id).Run();
   const std::vector<SeasonResult>& results = one.evaluation.seasons;
   for (std::size_t i = 0; i < results.size(); ++i)
     AddSeason(one.id, results[i],

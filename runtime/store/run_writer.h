@@ -3,6 +3,7 @@
 // The writing side of a run's store: each function is one transaction, which is
 // there as a whole or not at all, and returns what went wrong.
 
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -25,8 +26,11 @@ class RunWriter {
   RunWriter(Database& database, RunReader& reader,
             std::map<std::string, int> seasons);
 
-  /// Those that are there already must be the same.
-  Failure Births(const std::vector<Individual>& born);
+  /// Those that are there already must be the same. Writes nothing if
+  /// `should_stop` (RunObserver::OnBirths) says so meanwhile.
+  Failure Births(const std::vector<Individual>& born,
+                 const std::function<bool()>& should_stop);
+  /// In the place of what is there only if a worker had died of it.
   Failure Evaluated(const Individual& one,
                     const std::vector<SeasonEvidence>& evidence);
   Failure Completed(const GenerationRecord& record);
@@ -54,6 +58,7 @@ class RunWriter {
   Statement phenotype_;
   Statement simulation_;
   Statement evaluation_;
+  Statement remove_lost_;
   Statement sum_evaluation_;
   Statement generation_;
   Statement sum_generation_;

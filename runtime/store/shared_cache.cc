@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "runtime/evolve/simulated_frame.h"
+#include "runtime/store/make_database.h"
+#include "runtime/store/schema_check.h"
 #include "sim/machine_kind.h"
 
 namespace plsc {
@@ -17,23 +19,37 @@ namespace {
 
 // "plsK" in the file's header: neither a run nor anything else.
 constexpr int kApplication = 0x706c734b;
-constexpr int kFormat = 1;
+// 2: entries have checksums.
+constexpr int kFormat = 2;
 
-// WAL, so that readers do not wait for writers. Who waits for another
-// process's transaction waits for milliseconds; half a minute is a dead disk.
+// Who waits for another process's transaction waits for milliseconds; half a
+// minute is a dead disk.
 constexpr const char* kSetUp = R"(
 PRAGMA busy_timeout = 30000;
-PRAGMA journal_mode = WAL;
-PRAGMA synchronous = NORMAL;
 )";
 
-constexpr const char* kTables = R"(
-CREATE TABLE IF NOT EXISTS engine(
-  id INTEGER PRIMARY KEY, text TEXT UNIQUE NOT NULL);
-CREATE TABLE IF NOT EXISTS simulation(
+const std::vector<SchemaItem>& Tables() {
+  static const std::vector<SchemaItem> tables = {
+      {"engine",
+       R"(CREATE TABLE engine(
+  id INTEGER PRIMARY KEY, text TEXT UNIQUE NOT NULL))",
+       SchemaKind::kTable, false, ""},
+      {"simulation",
+       R"(CREATE TABLE simulation(
   key TEXT NOT NULL, engine INTEGER NOT NULL REFERENCES engine(id),
-  value TEXT NOT NULL, PRIMARY KEY(key, engine)) WITHOUT ROWID;
-)";
+  value TEXT NOT NULL, checksum INTEGER NOT NULL,
+  PRIMARY KEY(key, engine)) WITHOUT ROWID)",
+       SchemaKind::kTable, false, ""},
+  };
+  return tables;
+}
+
+void AddTables(Database& database) {
+  database.Run(
+      fmt::format("PRAGMA application_id = {}; PRAGMA user_version = {};",
+                  kApplication, kFormat));
+  for (const SchemaItem& table : Tables()) database.Run(table.sql);
+}
 
 std::string ToHex(const std::string& bytes) {
   std::string text;
@@ -61,6 +77,29 @@ std::optional<std::string> FromHex(const std::string& text) {
   return bytes;
 }
 
+/// Of all that an entry is, its place included: SQLite finds damage to its own
+/// structure only, and a wrong number would be somebody's result.
+std::int64_t ChecksumOf(const std::string& key, const std::string& engine,
+                        const std::string& value) {
+  return static_cast<std::int64_t>(
+      KeyOf(fmt::format("{}\n{}\n{}", key, engine, value)).low);
+}
+
+std::string WrongFormat(const std::string& path, int format) {
+  if (format > kFormat)
+    return fmt::format(
+        "'{}' was made by a newer plsc (its format is {}, this program knows "
+        "{}): use that one, or another file",
+        path, format, kFormat);
+  // Reading them would not help: an entry is found by the very program only
+  // that added it.
+  return fmt::format(
+      "'{}' is a cache of format {}, whose entries have no checksums, so that "
+      "damage would go unseen: delete it, or name another file (no run needs "
+      "it)",
+      path, format);
+}
+
 int NumberOf(Database& database, const char* pragma) {
   Statement statement(database, fmt::format("PRAGMA {}", pragma));
   return statement.Next() ? statement.TakeInt() : 0;
@@ -79,10 +118,13 @@ std::string ThisEngine() {
 struct SharedCache::Statements {
   explicit Statements(Database& database)
       : find(database,
-             "SELECT value FROM simulation WHERE key = ? AND engine = ?"),
-        add(database, "INSERT OR IGNORE INTO simulation VALUES(?, ?, ?)") {}
+             "SELECT value, checksum FROM simulation "
+             "WHERE key = ? AND engine = ?"),
+        add(database, "INSERT OR IGNORE INTO simulation VALUES(?, ?, ?, ?)"),
+        drop(database, "DELETE FROM simulation WHERE key = ? AND engine = ?") {}
   Statement find;
   Statement add;
+  Statement drop;
 };
 
 SharedCache::SharedCache() = default;
@@ -94,62 +136,107 @@ SharedCache::~SharedCache() {
 
 SharedCache::Failure SharedCache::Open(const std::string& path,
                                        const std::string& engine) {
-  // SQLite makes a database of an empty file.
-  if (!std::filesystem::exists(path)) std::ofstream(path, std::ios::app);
-  if (Failure failure = database_.Open(path, Database::Mode::kCreate))
+  Failure failure = OpenFile(path, engine);
+  if (failure) Discard();
+  return failure;
+}
+
+SharedCache::Failure SharedCache::OpenFile(const std::string& path,
+                                           const std::string& engine) {
+  std::error_code error;
+  if (!std::filesystem::exists(std::filesystem::symlink_status(path, error))) {
+    Failure failure = MakeDatabase(path, AddTables);
+    is_new_ = !failure;
+    // Another process may have made it meanwhile.
+    if (failure && !std::filesystem::exists(path, error)) return failure;
+  }
+  if (Failure failure = database_.Open(path, Database::Mode::kWrite))
     return failure;
   const int application = NumberOf(database_, "application_id");
   const int format = NumberOf(database_, "user_version");
   if (Failure failure = database_.TakeFailure()) return failure;
-  // Another process may be making the very file.
-  const bool is_empty = NumberOf(database_, "schema_version") == 0;
-  if (!is_empty && application != kApplication)
+  if (application != kApplication)
     return fmt::format("'{}' is no cache of plsc", path);
-  if (!is_empty && format != kFormat)
-    return fmt::format("'{}' is a cache of format {}; this program knows {}",
-                       path, format, kFormat);
+  if (format != kFormat) return WrongFormat(path, format);
+  if (Failure failure = CheckNothingAdded(database_, Tables())) return failure;
   database_.Run(kSetUp);
   {
     Transaction transaction(database_);
-    database_.Run(
-        fmt::format("PRAGMA application_id = {}; PRAGMA user_version = {};",
-                    kApplication, kFormat));
-    database_.Run(kTables);
     Statement(database_, "INSERT OR IGNORE INTO engine(text) VALUES(?)")
         .With(engine)
         .Run();
     Statement number(database_, "SELECT id FROM engine WHERE text = ?");
-    if (number.With(engine).Next()) engine_ = number.TakeInteger();
+    if (number.With(engine).Next()) engine_id_ = number.TakeInteger();
     if (Failure failure = transaction.Commit()) return failure;
   }
+  engine_ = engine;
   statements_ = std::make_unique<Statements>(database_);
   return database_.TakeFailure();
 }
 
+SharedCache::Failure SharedCache::warning() const {
+  if (damaged_ == 0) return gone_;
+  std::string text = fmt::format(
+      "{} of the cache '{}' {} damaged, dropped and simulated anew",
+      damaged_ == 1 ? "an entry" : fmt::format("{} entries", damaged_),
+      database_.path(), damaged_ == 1 ? "was" : "were");
+  if (gone_) text += "; " + *gone_;
+  return text;
+}
+
+void SharedCache::Discard() {
+  statements_.reset();
+  const bool is_ours =
+      is_new_ && (!database_.is_open() || !database_.CheckInPlace());
+  database_.Close();
+  std::error_code ignored;
+  if (is_ours) std::filesystem::remove(database_.path(), ignored);
+}
+
 void SharedCache::Check() {
   Failure failure = database_.TakeFailure();
+  if (!failure) failure = database_.CheckInPlace();
   if (!failure) return;
-  warning_ = fmt::format("the cache is not used any more: {}", *failure);
+  gone_ = fmt::format("the cache is not used any more: {}", *failure);
+}
+
+std::optional<Simulated> SharedCache::TakeEntry(const std::string& key) {
+  const std::string value = statements_->find.TakeText();
+  if (statements_->find.TakeInteger() != ChecksumOf(key, engine_, value))
+    return std::nullopt;
+  const auto bytes = FromHex(value);
+  if (!bytes) return std::nullopt;
+  auto simulated = Unpack(*bytes);
+  if (!simulated || simulated->size() != 1) return std::nullopt;
+  return std::move(simulated->front());
 }
 
 std::optional<Simulated> SharedCache::Find(const Key& key) {
-  if (warning_) return std::nullopt;
+  if (gone_) return std::nullopt;
+  const std::string digits = Hex(key);
   Statement& find = statements_->find;
   std::optional<Simulated> found;
-  if (find.With(Hex(key), engine_).Next())
-    if (const auto bytes = FromHex(find.TakeText()))
-      if (const auto simulated = Unpack(*bytes);
-          simulated && simulated->size() == 1)
-        found = simulated->front();
+  const bool is_there = find.With(digits, engine_id_).Next();
+  if (is_there) found = TakeEntry(digits);
   find.With();  // lets the row go: an open read keeps the log from shrinking
+  if (is_there && !found) {
+    ++damaged_;
+    statements_->drop.With(digits, engine_id_).Run();
+  }
   Check();
+  // What was read beside a failure is no entry.
+  if (gone_) return std::nullopt;
   return found;
 }
 
 SharedCache::Failure SharedCache::Add(const Key& key,
                                       const Simulated& simulated) {
-  if (warning_) return std::nullopt;
-  statements_->add.With(Hex(key), engine_, ToHex(Pack({simulated}))).Run();
+  if (gone_) return std::nullopt;
+  const std::string digits = Hex(key);
+  const std::string value = ToHex(Pack({simulated}));
+  statements_->add
+      .With(digits, engine_id_, value, ChecksumOf(digits, engine_, value))
+      .Run();
   Check();
   return std::nullopt;
 }

@@ -2,7 +2,8 @@
 
 // Simulations that several runs share, in a file of their own (`plsc evolve
 // --cache FILE`). Holds no result: a run is the same without it. So what goes
-// wrong with it while a run goes on ends its use and not the run.
+// wrong with it while a run goes on ends its use and not the run, and an entry
+// that is not what was written counts for nothing.
 
 #include <memory>
 #include <optional>
@@ -32,21 +33,32 @@ class SharedCache : public SimulationCache {
   Failure Open(const std::string& path,
                const std::string& engine = ThisEngine());
 
+  /// Ends its use as if it had never begun: a file that Open made is deleted.
+  void Discard();
+
+  /// An entry that is damaged is dropped, and not found.
   std::optional<Simulated> Find(const Key& key) override;
   /// Never fails: see warning().
   Failure Add(const Key& key, const Simulated& simulated) override;
 
-  /// Why it is not used any more.
-  const Failure& warning() const { return warning_; }
+  /// What the user must know of it: that it is not used any more, and why;
+  /// how many entries were damaged.
+  Failure warning() const;
 
  private:
   struct Statements;
+  Failure OpenFile(const std::string& path, const std::string& engine);
   void Check();
+  /// Nothing if the row is not what was added under this key.
+  std::optional<Simulated> TakeEntry(const std::string& key);
 
   Database database_;
   std::unique_ptr<Statements> statements_;
-  std::int64_t engine_ = 0;
-  Failure warning_;
+  std::string engine_;
+  std::int64_t engine_id_ = 0;
+  Failure gone_;         // why it is not used any more
+  int damaged_ = 0;      // entries
+  bool is_new_ = false;  // made by this object
 };
 
 }  // namespace plsc

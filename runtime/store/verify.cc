@@ -2,11 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
-#include <set>
 
 #include "runtime/evolve/experiment.h"
-#include "runtime/store/checksum.h"
+#include "runtime/store/row_checks.h"
 #include "runtime/store/schema.h"
 
 namespace plsc {
@@ -28,7 +28,7 @@ bool HasSchema(Database& database) {
   std::map<std::string, std::string> found;
   Statement statement(database,
                       "SELECT name, sql FROM sqlite_master "
-                      "WHERE sql IS NOT NULL");
+                      "WHERE sql IS NOT NULL AND type != 'trigger'");
   statement.With();
   while (statement.Next()) {
     const std::string name = statement.TakeText();
@@ -60,151 +60,93 @@ Failure CheckStructure(Database& database) {
   return database.TakeFailure();
 }
 
-/// Looks at a run generation by generation.
+/// Looks at a run generation by generation, to its end, whatever is wrong.
 class Examination {
  public:
   explicit Examination(Database& database)
-      : database_(database),
-        sums_(database),
-        individual_(database,
-                    "SELECT generation, checksum FROM individual WHERE id = ?"),
-        evaluations_(database,
-                     "SELECT season, checksum FROM evaluation "
-                     "WHERE individual = ? ORDER BY season"),
-        generation_(database,
-                    "SELECT checksum FROM generation WHERE number = ?") {}
+      : database_(database), checks_(database) {}
 
-  Failure CheckRun();
-  /// Of generation `number`, or of the one under way.
-  Failure CheckGeneration(int number);
-  int generations() const { return generations_; }
-  /// Completed, as far as the table tells.
-  int completed() const { return completed_; }
+  Health Take();
 
  private:
-  struct Span {
-    int first = 0, last = 0;  // ids
-  };
-  Span IdsOf(int number) const;
-  Failure CheckIndividual(int id, int generation, bool is_complete);
-  Failure CheckMembers(int number);
+  Failure CheckRun();
+  void CheckGeneration(int number);
+  void CheckIndividual(int id, int generation, bool is_complete);
   Failure Wrong(const std::string& what) {
     if (database_.has_failed()) return database_.TakeFailure();
     return Damaged(database_, what);
   }
+  /// Whether there is nothing to be noted.
+  bool Note(Failure failure) {
+    if (failure && !health_.problem) health_.problem = std::move(failure);
+    return !failure;
+  }
 
   Database& database_;
-  Checksums sums_;
-  Statement individual_;
-  Statement evaluations_;
-  Statement generation_;
-  int generations_ = 0;
-  int completed_ = 0;
-  int population_ = 0;
-  int offspring_ = 0;
-  int seasons_ = 0;
+  RowChecks checks_;
+  Experiment experiment_;
+  int completed_ = 0;  // generations, as far as the table tells
+  Health health_;
 };
 
 Failure Examination::CheckRun() {
-  Statement run(database_, "SELECT checksum, experiment FROM run");
+  Statement run(database_, "SELECT experiment FROM run");
   if (!run.With().Next()) return Wrong("it does not say what the run is");
-  const std::int64_t sum = run.TakeInteger();
-  const Source yaml(database_.path(), run.TakeText());
+  Result<Experiment> experiment =
+      ParseExperiment(Source(database_.path(), run.TakeText()));
+  if (!experiment) return Wrong("what the run is cannot be trusted");
   run.Run();
-  const Result<Experiment> experiment = ParseExperiment(yaml);
-  if (sum != sums_.OfRun() || !experiment)
-    return Wrong("what the run is cannot be trusted");
-  generations_ = experiment->generations;
-  population_ = experiment->population;
-  offspring_ = experiment->offspring;
-  seasons_ = static_cast<int>(experiment->scenario.seasons.size());
+  experiment_ = std::move(*experiment);
   completed_ =
       static_cast<int>(Single(database_, "SELECT count(*) FROM generation"));
-  if (completed_ > generations_ ||
-      completed_ !=
-          Single(database_,
-                 "SELECT ifnull(max(number), -1) + 1 FROM generation"))
-    return Wrong("a generation is missing");
   return database_.TakeFailure();
 }
 
-Examination::Span Examination::IdsOf(int number) const {
-  if (number == 0) return {1, population_};
-  const int first = population_ + (number - 1) * offspring_ + 1;
-  return {first, first + offspring_ - 1};
+void Examination::CheckIndividual(int id, int generation, bool is_complete) {
+  if (Note(checks_.Birth(id, generation))) health_.births.insert(id);
+  int seasons = 0;
+  Failure failure = checks_.Evaluation(id, seasons);
+  const auto all = static_cast<int>(experiment_.scenario.seasons.size());
+  if (!failure && seasons != all && (is_complete || seasons != 0))
+    failure = Wrong(fmt::format("robot {} lacks an evaluation", id));
+  if (Note(std::move(failure))) health_.evaluations.insert(id);
 }
 
-Failure Examination::CheckIndividual(int id, int generation, bool is_complete) {
-  if (!individual_.With(id).Next())
-    return Wrong(fmt::format("robot {} is missing", id));
-  const bool is_in_place = individual_.TakeInt() == generation;
-  const std::int64_t sum = individual_.TakeInteger();
-  individual_.Run();
-  if (!is_in_place || sum != sums_.OfIndividual(id))
-    return Wrong(fmt::format("robot {} is not as it was born", id));
-  std::map<int, std::int64_t> seasons;
-  evaluations_.With(id);
-  while (evaluations_.Next()) {
-    const int season = evaluations_.TakeInt();
-    seasons[season] = evaluations_.TakeInteger();
-  }
-  for (const auto& [season, its_sum] : seasons)
-    if (its_sum != sums_.OfEvaluation(id, season))
-      return Wrong(
-          fmt::format("the evaluation of robot {} is not what it was", id));
-  const int count = static_cast<int>(seasons.size());
-  if (count != seasons_ && (is_complete || count != 0))
-    return Wrong(fmt::format("robot {} lacks an evaluation", id));
-  return database_.TakeFailure();
-}
-
-Failure Examination::CheckMembers(int number) {
-  if (!generation_.With(number).Next())
-    return Wrong(fmt::format("generation {} is missing", number));
-  const std::int64_t sum = generation_.TakeInteger();
-  generation_.Run();
-  if (sum != sums_.OfGeneration(number))
-    return Wrong(fmt::format("generation {} is not what it was", number));
-  return database_.TakeFailure();
-}
-
-Failure Examination::CheckGeneration(int number) {
+void Examination::CheckGeneration(int number) {
   const bool is_complete = number < completed_;
-  const Span ids = IdsOf(number);
+  const IdSpan ids = IdsBornIn(experiment_, number);
   if (!is_complete) {
     // All of them or nobody; and nobody beyond.
     const std::int64_t last =
         Single(database_, "SELECT ifnull(max(id), 0) FROM individual");
-    if (last == ids.first - 1) return database_.TakeFailure();
+    if (last == ids.first - 1) {
+      Note(database_.TakeFailure());
+      return;
+    }
     if (last != ids.last)
-      return Wrong(fmt::format("generation {} lacks robots", number));
+      Note(Wrong(fmt::format("generation {} lacks robots", number)));
   }
   for (int id = ids.first; id <= ids.last; ++id)
-    if (Failure failure = CheckIndividual(id, number, is_complete))
-      return failure;
-  if (is_complete) return CheckMembers(number);
-  return std::nullopt;
+    CheckIndividual(id, number, is_complete);
+  if (is_complete && Note(checks_.Generation(number)))
+    health_.generations.insert(number);
 }
 
-Health ExamineOpen(Database& database) {
-  Health health;
-  health.problem = CheckIdentity(database);
-  if (health.problem) return health;
-  Examination examination(database);
-  health.problem = examination.CheckRun();
-  if (health.problem) return health;
-  health.problem = CheckStructure(database);
+Health Examination::Take() {
+  if (!Note(CheckIdentity(database_)) || !Note(checks_.Run())) return health_;
+  health_.is_run_whole = true;
+  if (!Note(CheckRun())) return health_;
+  const Failure missing = checks_.Completed(experiment_);
+  const Failure broken = missing ? missing : CheckStructure(database_);
   // The last one is under way, if there is one to be made.
-  for (int g = 0; g <= examination.completed(); ++g) {
-    if (g == examination.generations()) break;
-    Failure failure = examination.CheckGeneration(g);
-    if (failure) {
-      if (!health.problem) health.problem = std::move(failure);
-      break;
-    }
-    if (g < examination.completed()) ++health.whole_generations;
+  const int last = std::min(completed_ + 1, experiment_.generations);
+  for (int g = 0; g < last; ++g) {
+    CheckGeneration(g);
+    if (!health_.problem && !missing && g < completed_)
+      ++health_.whole_generations;
   }
-  return health;
+  if (broken) health_.problem = broken;
+  return health_;
 }
 
 }  // namespace
@@ -231,11 +173,18 @@ Failure CheckIdentity(Database& database) {
   return std::nullopt;
 }
 
+Health Examine(Database& database) {
+  return Examination(database).Take();
+}
+
 Health Examine(const std::string& path) {
   Database database;
-  if (Failure failure = database.Open(path, Database::Mode::kRead))
-    return {std::move(failure), 0};
-  Health health = ExamineOpen(database);
+  if (Failure failure = database.Open(path, Database::Mode::kRead)) {
+    Health health;
+    health.problem = std::move(failure);
+    return health;
+  }
+  Health health = Examine(database);
   if (health.problem) {
     *health.problem += health.whole_generations == 0
                            ? "; no generation of it is whole"

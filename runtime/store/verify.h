@@ -5,6 +5,7 @@
 // found before a run goes on from it.
 
 #include <optional>
+#include <set>
 #include <string>
 
 #include "runtime/store/database.h"
@@ -16,13 +17,22 @@ namespace plsc {
 std::optional<std::string> CheckIdentity(Database& database);
 
 struct Health {
-  /// What is wrong, ready for the user; nothing if all is well.
+  /// What is wrong first, ready for the user; nothing if all is well.
   std::optional<std::string> problem;
   /// From the initial one on, all of whose rows are what was written.
   int whole_generations = 0;
+  bool is_run_whole = false;  ///< what the run is, with its constants
+  /// By id, by id and by number: all whose rows are what was written. One who
+  /// is not evaluated yet is among the evaluations.
+  std::set<int> births;
+  std::set<int> evaluations;
+  std::set<int> generations;
 };
 
-/// Reads everything: about a second for 10,000 robots.
+/// Reads everything: about a second for 10,000 robots. Of one instant, if a
+/// transaction is open.
+Health Examine(Database& database);
+/// Likewise; `problem` says what to do about it, too.
 Health Examine(const std::string& path);
 
 }  // namespace plsc

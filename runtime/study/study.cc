@@ -3,10 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <string>
+#include <unordered_set>
 #include <utility>
 
 #include "runtime/key.h"
 #include "runtime/yaml_reader.h"
+#include "runtime/yaml_text.h"
 
 namespace plsc {
 
@@ -15,6 +18,10 @@ namespace {
 constexpr int kFormat = 1;  // of study files, value of plsc_study
 // More is a slip of the pen: a file name and a seed each.
 constexpr int kMaxRepetitions = 10'000;
+// Of a study, each a file; seeds of more would begin to meet (study.h).
+constexpr std::int64_t kMaxRuns = 1'000'000;
+// Values of the base times experiments, each of which reads it.
+constexpr std::size_t kMaxBaseValues = 1'000'000;
 
 /// Folders are called like experiments.
 bool IsFolderName(std::string_view name) {
@@ -43,14 +50,10 @@ std::vector<YamlMap::Entry> ExperimentKeys(YamlMap& map) {
 
 Experiment ReadMerged(const std::vector<YamlMap::Entry>& base, YamlMap& own) {
   std::vector<YamlMap::Entry> merged = ExperimentKeys(own);
-  const std::size_t count = merged.size();
-  for (const YamlMap::Entry& entry : base) {
-    const auto end = merged.begin() + static_cast<std::ptrdiff_t>(count);
-    if (std::none_of(merged.begin(), end, [&](const YamlMap::Entry& other) {
-          return other.key == entry.key;
-        }))
-      merged.push_back(entry);
-  }
+  std::unordered_set<std::string> own_keys;
+  for (const YamlMap::Entry& entry : merged) own_keys.insert(entry.key);
+  for (const YamlMap::Entry& entry : base)
+    if (!own_keys.contains(entry.key)) merged.push_back(entry);
   YamlMap map(own.place(), std::move(merged));
   return ReadExperiment(map);
 }
@@ -61,6 +64,8 @@ std::vector<StudyExperiment> ReadExperiments(
   std::optional<YamlMap> map = value.Map("a map from names to experiments");
   if (!map) return experiments;
   for (const YamlMap::Entry& entry : map->TakeAll()) {
+    // A mistake of the base is found in each.
+    if (value.is_full()) break;
     if (!IsFolderName(entry.key))
       entry.at.Report("P5107",
                       fmt::format("expected a name of letters, digits, '_', "
@@ -71,9 +76,33 @@ std::vector<StudyExperiment> ReadExperiments(
             entry.value.Map("keys of an experiment ({} for none)"))
       experiments.push_back({entry.key, ReadMerged(base, *own)});
   }
-  if (experiments.empty() && map->TakeAll().empty())
+  if (map->TakeAll().empty())
     value.Report("P5108", "expected at least one experiment");
   return experiments;
+}
+
+// How much all runs, and all copies of the base, are together.
+bool IsTooMuch(const YamlValue& experiments, const Study& study,
+               std::size_t base_values) {
+  const std::size_t count =
+      experiments.is_map() ? experiments.CountEntries() : 0;
+  const std::int64_t runs =
+      static_cast<std::int64_t>(count) * study.repetitions;
+  if (runs > kMaxRuns)
+    experiments.Report(
+        "P5108", fmt::format("a study has at most {} runs; {} experiments of "
+                             "{} repetitions are {}",
+                             kMaxRuns, count, study.repetitions, runs));
+  else if (base_values * count > kMaxBaseValues)
+    experiments.Report(
+        "P5108",
+        fmt::format("{} experiments share a base of {} or more values: "
+                    "together more than {}",
+                    count, base_values, kMaxBaseValues),
+        "spread the experiments over several studies");
+  else
+    return false;
+  return true;
 }
 
 Study ReadStudy(YamlMap& map) {
@@ -85,14 +114,18 @@ Study ReadStudy(YamlMap& map) {
   study.repetitions =
       map.Int("repetitions", study.repetitions, 1, kMaxRepetitions);
   std::vector<YamlMap::Entry> base;
-  if (const auto value = map.Find("base"))
+  std::size_t base_values = 0;
+  if (const auto value = map.Find("base")) {
+    base_values = value->CountValues(kMaxBaseValues + 1);
     if (std::optional<YamlMap> keys = value->Map("keys of experiments"))
       base = ExperimentKeys(*keys);
+  }
   if (const auto experiments =
           map.Need("experiments",
                    "as in 'experiments: {plastic: {}, baseline: "
                    "{encoding: baseline}}'"))
-    study.experiments = ReadExperiments(*experiments, base);
+    if (!IsTooMuch(*experiments, study, base_values))
+      study.experiments = ReadExperiments(*experiments, base);
   map.Close();
   return study;
 }

@@ -1,14 +1,13 @@
 #include "runtime/study/study_folder.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <unistd.h>
 
-#include <cerrno>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <system_error>
+
+#include "runtime/store/new_file.h"
 
 namespace plsc {
 
@@ -18,60 +17,61 @@ using Failure = std::optional<std::string>;
 namespace fs = std::filesystem;
 
 constexpr const char* kFile = "study.yaml";
-// Of a file that becomes study.yaml as a whole or not at all.
+// Of what becomes study.yaml when it is whole, maybe by another process.
 constexpr const char* kPartial = "study.yaml.";
 
 std::string FileIn(const std::string& folder) {
   return (fs::path(folder) / kFile).string();
 }
 
-std::string ReasonOf(int error) {
-  return std::error_code(error, std::generic_category()).message();
-}
-
-Failure WriteWhole(const std::string& path, const std::string& text) {
-  const int descriptor =
-      open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0644);
-  if (descriptor < 0)
-    return fmt::format("cannot create '{}': {}", path, ReasonOf(errno));
-  std::size_t written = 0;
-  int error = 0;
-  while (written < text.size() && error == 0) {
-    const ssize_t size =
-        write(descriptor, text.data() + written, text.size() - written);
-    if (size >= 0)
-      written += static_cast<std::size_t>(size);
-    else if (errno != EINTR)
-      error = errno;
+/// Folders that go away again with the object if there is nothing in them.
+class MadeFolders {
+ public:
+  MadeFolders() = default;
+  ~MadeFolders() {
+    std::error_code ignored;
+    for (auto made = made_.rbegin(); made != made_.rend(); ++made)
+      fs::remove(*made, ignored);
   }
-  if (error == 0 && fsync(descriptor) != 0) error = errno;
-  if (close(descriptor) != 0 && error == 0) error = errno;
-  if (error == 0) return std::nullopt;
-  unlink(path.c_str());
-  return fmt::format("cannot write to '{}': {}", path, ReasonOf(error));
-}
+  MadeFolders(const MadeFolders&) = delete;
+  MadeFolders& operator=(const MadeFolders&) = delete;
+
+  Failure Make(const fs::path& folder) {
+    std::error_code error;
+    const fs::path parent = folder.parent_path();
+    if (!parent.empty() && !fs::exists(parent, error))
+      if (Failure failure = Make(parent)) return failure;
+    if (fs::create_directory(folder, error)) made_.push_back(folder);
+    if (!error || fs::is_directory(folder, error)) return std::nullopt;
+    return fmt::format("cannot create '{}': {}", folder.string(),
+                       error.message());
+  }
+  void Keep() { made_.clear(); }
+
+ private:
+  std::vector<fs::path> made_;
+};
 
 /// Of several processes that begin at once, one makes the file and all others
-/// find it: a link, unlike a renaming, replaces nothing.
+/// find it.
 Failure WriteFirst(const std::string& folder, const std::string& text) {
-  const std::string path = FileIn(folder);
-  const std::string partial =
-      (fs::path(folder) / fmt::format("{}{}", kPartial, getpid())).string();
-  unlink(partial.c_str());  // of a process of this number that was killed
-  if (Failure failure = WriteWhole(partial, text)) return failure;
-  const int error = link(partial.c_str(), path.c_str()) == 0 ? 0 : errno;
-  unlink(partial.c_str());
-  if (error == 0 || error == EEXIST) return std::nullopt;
-  return fmt::format("cannot create '{}': {}", path, ReasonOf(error));
+  NewFile file(FileIn(folder));
+  Failure failure = file.Write(text);
+  if (!failure) failure = file.Publish();
+  std::error_code error;
+  if (failure && fs::exists(FileIn(folder), error)) return std::nullopt;
+  return failure;
 }
 
 /// A folder of something else is not ours to fill. What another process makes
 /// in it meanwhile comes after study.yaml, so that file is looked for last.
 Failure CheckEmpty(const std::string& folder) {
   std::error_code error;
-  for (const auto& entry : fs::directory_iterator(folder, error))
-    if (!entry.path().filename().string().starts_with(kPartial) &&
-        !fs::exists(FileIn(folder)))
+  std::error_code ignored;
+  for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
+       entry.increment(error))
+    if (!entry->path().filename().string().starts_with(kPartial) &&
+        !fs::exists(FileIn(folder), ignored))
       return fmt::format("'{}' exists and is no study's folder: it has no {}",
                          folder, kFile);
   if (error)
@@ -110,28 +110,29 @@ std::string Difference(const std::string& there, const std::string& here) {
 }  // namespace
 
 Failure PrepareFolder(const std::string& folder, const Study& study) {
+  MadeFolders made;
+  if (Failure failure = made.Make(folder)) return failure;
   const std::string text = PrintStudy(study);
   std::error_code error;
-  fs::create_directories(folder, error);
-  if (error)
-    return fmt::format("cannot create '{}': {}", folder, error.message());
   if (!fs::exists(FileIn(folder), error)) {
     if (Failure failure = CheckEmpty(folder)) return failure;
     if (Failure failure = WriteFirst(folder, text)) return failure;
   }
+  if (Failure failure = CheckFolder(folder, study)) return failure;
+  for (const StudyExperiment& one : study.experiments)
+    if (Failure failure = made.Make(fs::path(folder) / one.name))
+      return failure;
+  made.Keep();
+  return std::nullopt;
+}
+
+Failure CheckFolder(const std::string& folder, const Study& study) {
+  const std::string text = PrintStudy(study);
   const std::optional<std::string> there = ReadAll(FileIn(folder));
   if (!there) return fmt::format("cannot read '{}'", FileIn(folder));
-  if (*there != text)
-    return fmt::format("'{}' is the folder of another study: {}", folder,
-                       Difference(*there, text));
-  for (const StudyExperiment& one : study.experiments) {
-    const fs::path path = fs::path(folder) / one.name;
-    fs::create_directories(path, error);
-    if (error)
-      return fmt::format("cannot create '{}': {}", path.string(),
-                         error.message());
-  }
-  return std::nullopt;
+  if (*there == text) return std::nullopt;
+  return fmt::format("'{}' is the folder of another study: {}", folder,
+                     Difference(*there, text));
 }
 
 Loaded<Study> StudyIn(const std::string& folder) {

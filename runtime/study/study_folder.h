@@ -18,6 +18,11 @@ namespace plsc {
 std::optional<std::string> PrepareFolder(const std::string& folder,
                                          const Study& study);
 
+/// That the folder is still this study's: it may be deleted or moved while the
+/// study is run.
+std::optional<std::string> CheckFolder(const std::string& folder,
+                                       const Study& study);
+
 /// The study that a folder is of.
 Loaded<Study> StudyIn(const std::string& folder);
 

@@ -76,8 +76,9 @@ class Timed : public RunObserver {
   double seconds = 0;
   long memory_after_20 = 0;
 
-  Failure OnBirths(const std::vector<Individual>& born) override {
-    return Time([&] { return inner_.OnBirths(born); });
+  Failure OnBirths(const std::vector<Individual>& born,
+                   const std::function<bool()>& should_stop) override {
+    return Time([&] { return inner_.OnBirths(born, should_stop); });
   }
   Failure OnEvaluated(const Individual& one,
                       const std::vector<SeasonEvidence>& evidence) override {

@@ -27,6 +27,7 @@
 #include "runtime/cli/commands.h"
 #include "runtime/evolve/evolve.h"
 #include "runtime/formats/phenotype_json.h"
+#include "runtime/store/checksum.h"
 #include "runtime/store/database.h"
 #include "runtime/store/run_store.h"
 #include "runtime/study/study_folder.h"
@@ -116,6 +117,9 @@ void CopyAs(const std::string& from, const std::string& to,
   Statement(database, "UPDATE run SET name = ?, seed = ?, experiment = ?")
       .With(experiment.name, std::to_string(experiment.seed),
             PrintExperiment(experiment))
+      .Run();
+  Statement(database, "UPDATE run SET checksum = ?")
+      .With(Checksums(database).OfRun())
       .Run();
   Require(database.TakeFailure());
 }

@@ -132,5 +132,40 @@ TEST_CASE("No text has more errors than before it was mended",
   CHECK(fixed >= 20);
 }
 
+TEST_CASE("Names of the authors' program are mended, and what to know is told",
+          "[apply_fixes]") {
+  const Source source("a",
+                      "plsc 1\nalphabet plasticoding 1\n"
+                      "rule AJ1 -> { addl AJ2(0.5, 2, 3, 4) ST(1) movef }\n");
+  const MendedText mended = MendText(source);
+  CHECK(mended.remaining.empty());
+  CHECK(mended.text ==
+        "plsc 1\nalphabet plasticoding 1\n"
+        "rule A2 -> { add_left A1(0.5, 2, 3, 4) T(1) move_front }\n");
+  REQUIRE(mended.made.size() == 5);
+  CHECK(mended.made[0].note.find("ordered w, a, p, o") != std::string::npos);
+}
+
+TEST_CASE("What is inserted ends its lines as the text does", "[apply_fixes]") {
+  const Source source("a", "plsc 1\r\nrule C -> { C }\r\n");
+  CHECK(MendText(source).text ==
+        "plsc 1\r\nalphabet plasticoding 1\r\nrule C -> { C }\r\n");
+}
+
+// Not timed; comparing each change with all others would take hours.
+TEST_CASE("A million changes are made", "[apply_fixes]") {
+  std::string text;
+  for (int i = 0; i < 1'000'000; ++i) text += "a\n";
+  std::vector<Diagnostic> diagnostics(1000);
+  for (std::size_t i = 0; i < diagnostics.size(); ++i)
+    for (std::size_t k = 0; k < 1000; ++k) {
+      const auto at = static_cast<std::uint32_t>(2 * (1000 * k + i));
+      diagnostics[i].fixes.push_back({{at, at + 1}, "b"});
+    }
+  const MendedText mended = ApplyFixes(Source("a", text), diagnostics);
+  CHECK(mended.made.size() == 1'000'000);
+  CHECK(mended.text.substr(0, 6) == "b\nb\nb\n");
+}
+
 }  // namespace
 }  // namespace plsc

@@ -230,5 +230,21 @@ TEST_CASE("Huge and deep texts end in a program or a reason", "[compile]") {
   }
 }
 
+// Not timed; a search for similar names, or a look at the whole line, for each
+// error would take minutes.
+TEST_CASE("A hundred thousand unknown names on one line are told",
+          "[compile]") {
+  std::string text = "plsc 1\nalphabet plasticoding 1\n";
+  for (std::size_t i = 0; i < kMaxStates; ++i)
+    text += "sense s" + std::to_string(i) + ": bool\n";
+  text += "environment e {";
+  for (int i = 0; i < 100000; ++i) text += " s" + std::to_string(i) + " = True";
+  const Source source("many", text + " }\n");
+  const auto programs = CompileAll(source);
+  REQUIRE_FALSE(programs);
+  CHECK(programs.diagnostics().size() == kMaxReported);
+  CHECK(Render(programs.diagnostics(), source, 0).ends_with("ends here\n"));
+}
+
 }  // namespace
 }  // namespace plsc

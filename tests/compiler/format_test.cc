@@ -81,5 +81,48 @@ TEST_CASE("A comment may stand between any two tokens", "[format]") {
   }
 }
 
+const std::string kHead = "plsc 1\n\nalphabet plasticoding 1\n\n";
+
+TEST_CASE("Paragraphs of a production stay", "[format]") {
+  struct Row {
+    const char* why;
+    std::string written;
+    std::string formatted;
+    std::string compact;
+  };
+  const std::vector<Row> rows = {
+      {"an empty line", "rule C -> { C B\n\nadd_left B }",
+       "rule C -> {\n  C\n  B\n\n  add_left\n  B\n}\n",
+       "rule C -> {\n  C\n  B\n\n  add_left B\n}\n"},
+      {"several become one", "rule C -> { C\n\n \n\n B }",
+       "rule C -> {\n  C\n\n  B\n}\n", "rule C -> {\n  C\n\n  B\n}\n"},
+      {"none at the braces", "rule C -> {\n\n C B\n\n}",
+       "rule C -> {\n  C\n  B\n}\n", "rule C -> { C B }\n"},
+      {"around a comment", "rule C -> { C # core\n\n# left\n\nB\n\n# end\n}",
+       "rule C -> {\n  C  # core\n\n  # left\n\n  B\n\n  # end\n}\n",
+       "rule C -> {\n  C  # core\n\n  # left\n\n  B\n\n  # end\n}\n"},
+      {"not within a symbol", "rule B -> { B T(\n\n# w\n0.5) }",
+       "rule B -> {\n  B\n  # w\n  T(0.5)\n}\n",
+       "rule B -> {\n  B\n  # w\n  T(0.5)\n}\n"},
+  };
+  for (const Row& row : rows) {
+    DYNAMIC_SECTION(row.why) {
+      CHECK(Formatted(kHead + row.written) == kHead + row.formatted);
+      CHECK(Formatted(kHead + row.written, true) == kHead + row.compact);
+    }
+  }
+}
+
+TEST_CASE("Lines end as they did", "[format]") {
+  const std::string text = kHead + "# a\nrule C -> {\n  C  # b\n\n  B\n}\n";
+  std::string windows;
+  for (const char c : text) windows += c == '\n' ? "\r\n" : std::string(1, c);
+  CHECK(Formatted(text) == text);
+  CHECK(Formatted(windows) == windows);
+  // The first line counts.
+  CHECK(Formatted("plsc 1\r\n" + text.substr(7)) == windows);
+  CHECK(Formatted("plsc 1\n" + windows.substr(8)) == text);
+}
+
 }  // namespace
 }  // namespace plsc

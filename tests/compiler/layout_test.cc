@@ -48,7 +48,7 @@ TEST_CASE("Items and comments have their places", "[layout]") {
            "rule B -> {\n  B\n}\n"},
           {"comments within a production stay at their symbol",
            "rule B -> { # all\n# first\nT( 1e0 ) # one\n\n# last\n}",
-           "\nrule B -> {  # all\n  # first\n  T(1e0)  # one\n  # last\n}\n"},
+           "\nrule B -> {  # all\n  # first\n  T(1e0)  # one\n\n  # last\n}\n"},
           {"a comment between arguments comes before the symbol",
            "rule B -> { T( # why\n 1) B }",
            "\nrule B -> {\n  # why\n  T(1)\n  B\n}\n"},

@@ -64,5 +64,35 @@ TEST_CASE("States are not missed when a declaration may be broken",
                 "rule B -> if hot = True then { B }") == "P1115");
 }
 
+TEST_CASE("The last of a thousand errors is told as the first", "[resolve]") {
+  const std::string head =
+      "plsc 1 alphabet plasticoding 1 sense hot: bool let speed = 0.5\n"
+      "sense ground: { dry, wet } environment e { hot = True ground = dry }\n";
+  for (const char* item :
+       {"rule B -> { add_lef }", "rule B -> { AJ1 }", "rule B -> { T(sped) }",
+        "rule B -> if hod = True then { B }",
+        "rule B -> if ground = wett then { B }",
+        "rule B -> if hot = 1 then { B }",
+        "test t in e -> body C { frond B }"}) {
+    CAPTURE(item);
+    std::string text = head;
+    for (std::size_t i = 0; i < kMaxReported + 3; ++i)
+      text += item + std::string("\n");
+    const Source source("a", text);
+    const ParseResult parsed = Parse(source);
+    REQUIRE(parsed.diagnostics.empty());
+    const Resolution resolution = Resolve(parsed.file, Declare(parsed.file));
+    REQUIRE(resolution.diagnostics.size() == kMaxReported);
+    const Diagnostic& first = resolution.diagnostics.front();
+    const Diagnostic& last = resolution.diagnostics.back();
+    CHECK(last.message == first.message);
+    CHECK(last.label == first.label);
+    CHECK_FALSE(last.label.empty());
+    CHECK(last.fixes.size() == first.fixes.size());
+    CHECK(last.notes == first.notes);
+    CHECK(last.others.size() == first.others.size());
+  }
+}
+
 }  // namespace
 }  // namespace plsc

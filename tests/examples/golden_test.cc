@@ -57,5 +57,13 @@ TEST_CASE("every example compiles without a warning, in any layout",
   }
 }
 
+TEST_CASE("every example is laid out as plsc fmt does it", "[examples]") {
+  for (const std::string& genotype : Examples(".pls")) {
+    const auto checked = test::RunPlsc({"fmt", "--check", genotype});
+    INFO(checked.out);
+    CHECK(checked.exit == 0);
+  }
+}
+
 }  // namespace
 }  // namespace plsc

@@ -125,5 +125,50 @@ TEST_CASE("Colour changes nothing but the colour", "[diagnostic]") {
   }
 }
 
+TEST_CASE("What is not shown is counted as far as it is known",
+          "[diagnostic]") {
+  const Source source("a.pls", "x\n");
+  const auto last_line = [&](std::size_t count, int limit) {
+    const std::string text = Render(
+        std::vector<Diagnostic>(count, At({0, 1}, "wrong")), source, limit);
+    return text.substr(text.rfind('\n', text.size() - 2) + 1);
+  };
+  CHECK(last_line(20, 20) == "  | ^\n");
+  CHECK(last_line(21, 20) == "... and 1 more (--max-errors 0 shows all)\n");
+  CHECK(last_line(kMaxReported - 1, 20) ==
+        "... and 979 more (--max-errors 0 shows all)\n");
+  // From here on nobody has counted.
+  CHECK(last_line(kMaxReported, 20) ==
+        "... and at least 980 more (--max-errors 0 shows 1000)\n");
+  CHECK(last_line(kMaxReported, 0) ==
+        "... and perhaps more: the search ends here\n");
+}
+
+TEST_CASE("A place alone is shown like that of a diagnostic", "[diagnostic]") {
+  const Source source("a.pls", "first line\nsecond line\n");
+  Diagnostic diagnostic = At({18, 22}, "something is wrong");
+  diagnostic.label = "this";
+  CHECK("error[P0000]: something is wrong\n" +
+            RenderPlace({18, 22}, "this", source) ==
+        Render(diagnostic, source));
+}
+
+TEST_CASE("A place on a line of megabytes is shown as on one that is long",
+          "[diagnostic]") {
+  const auto shown = [](std::size_t before, std::size_t after) {
+    const std::string line =
+        std::string(before, 'a') + "\xC3\xA9here" + std::string(after, 'b');
+    const auto at = static_cast<std::uint32_t>(before) + 2;
+    const std::string text =
+        Render(At({at, at + 4}, "wrong"), Source("a.pls", line + "\n"));
+    return text.substr(text.find("1 | "));
+  };
+  const std::string wanted = shown(400, 400);
+  CHECK(wanted.find("...aaa") != std::string::npos);
+  CHECK(shown(2'000'000, 400) == wanted);
+  CHECK(shown(2'000'000, 2'000'000) == wanted);
+  CHECK(shown(401, 2'000'000) == wanted);
+}
+
 }  // namespace
 }  // namespace plsc

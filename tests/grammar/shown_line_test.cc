@@ -56,5 +56,19 @@ TEST_CASE("long text is cut by characters", "[shown_line]") {
   CHECK(Printable("", 0).empty());
 }
 
+TEST_CASE("a name in a line of ours stays in it", "[shown_line]") {
+  CHECK(Escaped("") == "");
+  CHECK(Escaped("season 1, \"t\xC3\xB6\" \\ \xE2\x82\xAC") ==
+        "season 1, \"t\xC3\xB6\" \\ \xE2\x82\xAC");
+  CHECK(Escaped("a\nb\rc\td") == "a\\nb\\rc\\td");
+  CHECK(Escaped("\x1B[31mred\x7F") == "\\x1b[31mred\\x7f");
+  CHECK(Escaped(std::string_view("\0", 1)) == "\\x00");
+  CHECK(Escaped("\xC2\x9B"
+                "31m") == "\\u009b31m");
+  CHECK(Escaped("a\xE2\x80\xAE"
+                "b") == "a\\u202eb");
+  CHECK(Escaped("\xFF\xC3") == "\\xff\\xc3");
+}
+
 }  // namespace
 }  // namespace plsc

@@ -68,5 +68,21 @@ TEST_CASE("Lines come without their ends", "[source]") {
   CHECK(Source("e", "").Line(1).empty());
 }
 
+TEST_CASE("Places are right on a line of any length", "[source]") {
+  std::string text = "short\n";
+  for (int i = 0; i < 60000; ++i) text += i % 3 == 0 ? "\xC3\xA9" : "ab";
+  text += "\n" + std::string(70000, 'x');
+  const Source source("a.pls", text);
+  for (std::uint32_t offset = 0; offset < text.size(); offset += 6151) {
+    CAPTURE(offset);
+    const std::uint32_t begin =
+        source.LineBegin(source.PositionOf(offset).line);
+    int column = 1;
+    for (std::uint32_t i = begin; i < offset; ++i)
+      column += (static_cast<unsigned char>(text[i]) & 0xC0U) != 0x80U ? 1 : 0;
+    CHECK(source.PositionOf(offset).column == column);
+  }
+}
+
 }  // namespace
 }  // namespace plsc

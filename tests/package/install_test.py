@@ -12,6 +12,8 @@ import subprocess
 import sys
 import tempfile
 
+import runpath
+
 
 def run(*command, **options):
     done = subprocess.run([str(word) for word in command], text=True,
@@ -77,6 +79,8 @@ def main():
             assert str(build) not in text and str(repository) not in text, config
         count = check_headers(prefix, folder, cxx)
         check_embedding(prefix, folder, repository, cmake)
+        runpath.check(prefix / "bin/plsc")
+        runpath.check(folder / "embed/embed")
         print(f"{count} headers, one program")
 
 

@@ -29,6 +29,7 @@ TEST_CASE("an environment may name states that are not sensed",
   REQUIRE(environment);
   REQUIRE(environment.diagnostics().size() == 1);
   CHECK(environment.diagnostics()[0].severity == Severity::kWarning);
+  CHECK(environment.diagnostics()[0].code == "W2005");
   CHECK(source.text().substr(environment.diagnostics()[0].span.begin, 7) ==
         "raining");
 }
@@ -43,34 +44,36 @@ TEST_CASE("what is wrong with an environment is said", "[environment]") {
   struct Row {
     const char* why;
     const char* text;
-    const char* message;  ///< of the first error
+    const char* code;  ///< of the first error
+    const char* message;
   };
   const std::vector<Row> rows = {
-      {"a state is missing", "inclined=True,ground=dry",
+      {"a state is missing", "inclined=True,ground=dry", "P2015",
        "no value for state 'temperature'"},
-      {"all are missing", "", "no value for state 'inclined'"},
-      {"no assignment", "inclined", "expected STATE=VALUE"},
-      {"twice", "inclined=True,inclined=True,temperature=1,ground=dry",
+      {"all are missing", "", "P2015", "no value for state 'inclined'"},
+      {"no assignment", "inclined", "P1115", "expected STATE=VALUE"},
+      {"twice", "inclined=True,inclined=True,temperature=1,ground=dry", "P2015",
        "state 'inclined' is given twice"},
       {"another language's bool", "inclined=true,temperature=1,ground=dry",
-       "expected True or False for state 'inclined', found 'true'"},
-      {"no number", "inclined=True,temperature=warm,ground=dry",
+       "P2006", "expected True or False for state 'inclined', found 'true'"},
+      {"no number", "inclined=True,temperature=warm,ground=dry", "P2006",
        "expected a number in -40..60 for state 'temperature', found 'warm'"},
-      {"out of range", "inclined=True,temperature=61,ground=dry",
+      {"out of range", "inclined=True,temperature=61,ground=dry", "P2015",
        "expected a number in -40..60 for state 'temperature', found '61'"},
-      {"not finite", "inclined=True,temperature=nan,ground=dry",
+      {"not finite", "inclined=True,temperature=nan,ground=dry", "P2006",
        "expected a number in -40..60 for state 'temperature', found 'nan'"},
-      {"trailing text", "inclined=True,temperature=1C,ground=dry",
+      {"trailing text", "inclined=True,temperature=1C,ground=dry", "P2006",
        "expected a number in -40..60 for state 'temperature', found '1C'"},
       {"not a value of the enum", "inclined=True,temperature=1,ground=ice",
-       "expected one of dry, wet for state 'ground', found 'ice'"},
-      {"a stray comma", "inclined=True,,temperature=1,ground=dry",
+       "P2006", "expected one of dry, wet for state 'ground', found 'ice'"},
+      {"a stray comma", "inclined=True,,temperature=1,ground=dry", "P1115",
        "expected STATE=VALUE"},
   };
   for (const Row& row : rows) {
     DYNAMIC_SECTION(row.why) {
       const auto result = ParseEnvironment(Source("--env", row.text), States());
       REQUIRE_FALSE(result);
+      CHECK(result.diagnostics()[0].code == row.code);
       CHECK(result.diagnostics()[0].message == row.message);
     }
   }

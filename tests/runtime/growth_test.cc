@@ -60,5 +60,23 @@ TEST_CASE("The symbol that multiplies most is named", "[growth]") {
   CHECK_FALSE(GreatestMultiplier(Regulate(none, {})));
 }
 
+TEST_CASE("A string is C and its readings, the newest first", "[growth]") {
+  const Genotype genotype = test::Robot(
+      "iterations 4\nrule C -> { C add_left A1(0.5, 2, 3, 1) move_left B }\n"
+      "rule A1 -> { A1(0.5, 2, 3, 1) loop(0.5) }\nrule B -> { T(1) B B }\n");
+  const ActiveRules active = Regulate(genotype, {});
+  const SymbolString string = *Derive(genotype, active);
+  // B becomes 1, 3, 7 and 15 symbols, A1 1 to 4; two commands stay.
+  CHECK(ReadingLengths(genotype, active) ==
+        std::vector<std::uint64_t>{4, 7, 12, 21});
+  CHECK(string.size() == 1 + 4 + 7 + 12 + 21);
+  for (const std::size_t begin : {1u, 5u, 12u, 24u})
+    CHECK(string[begin].symbol == plasticoding::kAddLeft);
+  CHECK(ReadingLengths(test::Robot("iterations 0\nrule C -> { C B }"),
+                       Regulate(test::Robot("rule C -> { C B }"), {}))
+            .empty());
+  CHECK(ReadingLengths(test::Robot(""), Regulate(test::Robot(""), {})).empty());
+}
+
 }  // namespace
 }  // namespace plsc

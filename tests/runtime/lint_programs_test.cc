@@ -58,7 +58,8 @@ TEST_CASE("Lints find what programs announce, and nothing else", "[lint]") {
   }
   CHECK(files >= 12);
   CHECK(met == std::set<std::string>{"W1001", "W3002", "W3003", "W3004",
-                                     "W3005", "W4001", "W4002"});
+                                     "W3005", "W4001", "W4002", "W4003",
+                                     "W4004"});
 }
 
 }  // namespace

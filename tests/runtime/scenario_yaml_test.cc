@@ -188,6 +188,18 @@ TEST_CASE("Mistakes in a scenario are shown where they are", "[scenario]") {
        {"error[P5108]: samples every 0.001 s are closer than the steps of "
         "season 'flat', 0.005 s",
         "test.yaml:2:18"}},
+      {"more samples than memory holds",
+       "seasons: [{duration: 300 min}]\nmax_steps: 20000000\n"
+       "sample_interval: 1 ms\nphysics: {step: 1 ms}\n",
+       {"error[P5108]: samples every 0.001 s are 18000000 of season 'flat', "
+        "18000 s, more than 5000000",
+        "test.yaml:3:18", "a greater 'sample_interval'"}},
+      {"an IMU that never settles",
+       "seasons: [{duration: 1 ms}]\nsample_interval: 1 ms\n"
+       "physics: {step: 1e-7}\nimu: {settling: 2 s}\n",
+       {"error[P5108]: the IMU settles for 2 s, which are 20000000 steps of "
+        "season 'flat', more than 1000000",
+        "test.yaml:4"}},
       {"samples further apart than a season",
        "seasons: [{duration: 0.1 s}]\n",
        {"samples every 0.2 s are further apart than season 'flat' is long"}},

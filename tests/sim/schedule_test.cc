@@ -87,5 +87,21 @@ TEST_CASE("Late updates are strictly later than their period", "[schedule]") {
   }
 }
 
+TEST_CASE("Servos that are slower than any life get the first target only",
+          "[schedule]") {
+  for (const double rate : {1e-3, 1e-9, 1e-17, 1e-18, 1e-100, 1e-308, 5e-324}) {
+    CAPTURE(rate);
+    CHECK(Updates(Refresh::kExact, rate, 0.005, 2000) ==
+          std::vector<std::pair<std::int64_t, double>>{{0, 0}});
+    CHECK(Updates(Refresh::kLate, rate, 0.005, 2000).empty());
+  }
+}
+
+TEST_CASE("No life is so long that its steps turn negative", "[schedule]") {
+  for (const double time : {1e15, 1e18, 1e100, 1e308})
+    for (const double step : {0.1, 1e-9, 5e-324})
+      CHECK(NearestStep(time, step) >= 10'000'000'000'000'000);
+}
+
 }  // namespace
 }  // namespace plsc

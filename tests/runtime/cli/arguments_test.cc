@@ -1,5 +1,7 @@
 #include <catch2/catch.hpp>
+#include <map>
 
+#include "runtime/cli/command_description.h"
 #include "runtime/cli/commands.h"
 #include "tests/runtime/cli/run_plsc.h"
 
@@ -56,11 +58,11 @@ TEST_CASE("a wrong command line is a usage error and does nothing",
       {"negative seed", {"random", "--seed", "-1"}, "--seed"},
       {"seed missing", {"random"}, "--seed"},
       {"out of range",
-       {"evolve", "e.yaml", "-o", "x", "--jobs", "0"},
+       {"evolve", "e.yaml", "-o", "x", "--jobs", "1025"},
        "--jobs"},
       {"no output", {"evolve", "e.yaml"}, "--output"},
       {"unknown test format", {"test", "a", "--format", "xml"}, "--format"},
-      {"no jobs", {"test", "a", "--jobs", "0"}, "--jobs"},
+      {"negative jobs", {"test", "a", "--jobs", "-1"}, "--jobs"},
       {"unknown encoding",
        {"random", "--seed", "1", "--encoding", "cppn"},
        "--encoding"},
@@ -87,6 +89,38 @@ TEST_CASE("arguments fill one struct a command", "[arguments]") {
   CHECK(develop->format == cli::OutputFormat::kJson);
   CHECK(develop->svg_folder == "out");
   CHECK(develop->allow_range);
+}
+
+// All usable cores.
+TEST_CASE("every command with --jobs takes 0", "[arguments]") {
+  const std::map<std::string, std::vector<std::string>> rest = {
+      {"evolve", {"evolve", "e.yaml", "-o", "x"}},
+      {"replay", {"replay", "x"}},
+      {"evaluate", {"evaluate", "--stdin"}},
+      {"test", {"test", "a"}},
+      {"study run", {"study", "run", "s.yaml", "-o", "x"}},
+  };
+  std::size_t found = 0;
+  const cli::CommandDescription root = cli::DescribeCommandLine();
+  for (const cli::CommandDescription* one : cli::AllCommands(root))
+    for (const cli::OptionDescription& option : one->options) {
+      if (option.names != std::vector<std::string>{"--jobs"}) continue;
+      INFO(one->name);
+      ++found;
+      CHECK(option.help.find("0 and default") != std::string::npos);
+      REQUIRE(rest.contains(one->name));
+      std::vector<std::string> words = rest.at(one->name);
+      words.insert(words.end(), {"--jobs", "0"});
+      std::visit(
+          [](const auto& command) {
+            if constexpr (requires { command.jobs; })
+              CHECK(command.jobs == 0);
+            else
+              FAIL("refused");
+          },
+          cli::ParseArguments(words));
+    }
+  CHECK(found == rest.size());
 }
 
 }  // namespace

@@ -43,6 +43,11 @@ TEST_CASE("A wrong request is told with its place", "[ask_tell]") {
       {"no JSON", "genotype x", "P5100", "null"},
       {"cut off", R"({"id": 1, "genotype": "pl)", "P5100", "null"},
       {"a list", "[1]", "P5103", "null"},
+      // The library would call itself a million times.
+      {"an id of a million brackets",
+       "{\"id\": " + std::string(1'000'000, '[') + std::string(1'000'000, ']') +
+           ", \"genotype\": \"g\"}",
+       "P5100", "null"},
       {"no genotype", R"({"id": 1})", "P5106", "1"},
       {"a genotype that is no text", R"({"id": 1, "genotype": 2})", "P5103",
        "1"},
@@ -71,14 +76,19 @@ TEST_CASE("An answer has the fitness of each season", "[ask_tell]") {
   evaluation.seasons[0].season = "flat";
   evaluation.seasons[0].fitness = 0.25;
   evaluation.seasons[1].season = "tilted";
+  evaluation.seasons[1].sensed = {{"inclined", "False", SenseSource::kImu}};
+  Genotype genotype;
+  genotype.name = "g";
+  genotype.states = {{"inclined", StateType::kBool, 0, 0, {}}};
   const Json answer =
-      Json::parse(cli::EvaluationAnswer("\"x\"", "g", evaluation));
+      Json::parse(cli::EvaluationAnswer("\"x\"", genotype, evaluation));
   CHECK(answer["id"] == "x");
   CHECK(answer["fitness"]["flat"] == 0.25);
   CHECK(answer["fitness"]["tilted"].is_null());
   REQUIRE(answer["seasons"].size() == 2);
   CHECK(answer["seasons"][1]["season"] == "tilted");
   CHECK(answer["seasons"][1]["genotype"] == "g");
+  CHECK(answer["seasons"][1]["sensed"]["inclined"]["value"] == false);
 }
 
 TEST_CASE("A failure has the request's line and the diagnostics",

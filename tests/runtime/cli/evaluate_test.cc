@@ -147,7 +147,7 @@ TEST_CASE("Nothing is asked, nothing is answered", "[evaluate]") {
 
 TEST_CASE("The command line is checked before anything is read", "[evaluate]") {
   CHECK(test::RunPlsc({"evaluate"}).exit == 2);
-  CHECK(test::RunPlsc({"evaluate", "--stdin", "--jobs", "0"}).exit == 2);
+  CHECK(test::RunPlsc({"evaluate", "--stdin", "--jobs", "-1"}).exit == 2);
   CHECK(test::RunPlsc({"evaluate", "--stdin", "--scenario", "none.yaml"},
                       Request(1, test::kPlasticText))
             .exit == 1);

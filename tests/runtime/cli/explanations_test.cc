@@ -2,7 +2,10 @@
 
 #include <catch2/catch.hpp>
 #include <filesystem>
+#include <iterator>
+#include <regex>
 #include <set>
+#include <sstream>
 
 #include "compiler/compile.h"
 #include "grammar/codes.h"
@@ -52,21 +55,31 @@ class Files {
   std::filesystem::path before_;
 };
 
-// Codes of "plsc check FILE", from its text.
-Codes CodesOfCommand(std::string_view line) {
-  REQUIRE(line.starts_with("plsc check "));
-  std::string file(line.substr(11));
-  file.erase(file.find('\n'));
+// Codes in what a command told.
+Codes CodesIn(const std::string& told) {
+  Codes codes;
+  for (const std::string kind : {"error[", "warning["})
+    for (std::size_t at = told.find(kind); at != std::string::npos;
+         at = told.find(kind, at + 1))
+      codes.insert(told.substr(at + kind.size(), 5));
+  return codes;
+}
+
+// Codes of "plsc WORDS", from its text.
+Codes CodesOfCommand(const std::string& line) {
+  REQUIRE(line.starts_with("plsc "));
+  std::istringstream words(line.substr(5));
+  const std::vector<std::string> arguments(
+      std::istream_iterator<std::string>(words), {});
   const Files files;
-  const test::Ran ran = test::RunPlsc({"check", file});
-  const std::size_t open = ran.err.find("error[");
-  CHECK((open == std::string::npos) == (ran.exit == 0));
-  if (open == std::string::npos) return {};
-  return {ran.err.substr(open + 6, 5)};
+  const test::Ran ran = test::RunPlsc(arguments);
+  CHECK((ran.err.find("error[") == std::string::npos) == (ran.exit == 0));
+  return CodesIn(ran.err);
 }
 
 Codes CodesOfExample(ExampleKind kind, std::string_view example) {
-  if (kind == ExampleKind::kCommand) return CodesOfCommand(example);
+  if (kind == ExampleKind::kCommand)
+    return CodesOfCommand(std::string(example));
   const Source source("example", std::string(example));
   if (kind == ExampleKind::kTrim) return CodesOf(Trim(source).diagnostics());
   if (kind == ExampleKind::kImport)
@@ -88,11 +101,8 @@ Codes CodesOfExample(ExampleKind kind, std::string_view example) {
   const Result<Program> program = Compile(source);
   if (kind == ExampleKind::kDevelop) {
     REQUIRE(program);
-    const auto ran =
-        test::RunPlsc({"develop", "-"}, std::string(source.text()));
-    const std::size_t open = ran.err.find("error[");
-    if (open == std::string::npos) return {};
-    return {ran.err.substr(open + 6, 5)};
+    return CodesIn(
+        test::RunPlsc({"develop", "-"}, std::string(source.text())).err);
   }
   return CodesOf(program.diagnostics());
 }
@@ -106,6 +116,35 @@ TEST_CASE("Every code is explained, and nothing else", "[explanations]") {
   CHECK(explained == codes);
   CHECK(cli::FindExplanation("P2001")->code == "P2001");
   CHECK(cli::FindExplanation("P9999") == nullptr);
+}
+
+// Codes that the sources of `folder` write, but for the tables of codes.
+Codes CodesInSources(const std::string& folder) {
+  static const std::regex code("\"([PW][0-9]{4})\"");
+  Codes codes;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(
+           test::InRepository(folder))) {
+    const std::string name = entry.path().filename();
+    const bool is_source = name.ends_with(".cc") || name.ends_with(".h");
+    if (!is_source || name == "codes.cc" || name.starts_with("explain_"))
+      continue;
+    const std::string text = test::ReadFile(entry.path());
+    for (std::sregex_iterator found(text.begin(), text.end(), code), end;
+         found != end; ++found)
+      codes.insert((*found)[1]);
+  }
+  return codes;
+}
+
+TEST_CASE("What can be told has a code of the table, and each can be told",
+          "[explanations]") {
+  Codes told;
+  for (const char* folder : {"grammar", "compiler", "sim", "runtime"})
+    told.merge(CodesInSources(folder));
+  // Defects of plsc, which nobody can cause.
+  Codes listed = {"P1199", "P5090"};
+  for (const CodeInfo& info : DiagnosticCodes()) listed.emplace(info.code);
+  CHECK(told == listed);
 }
 
 TEST_CASE("Wrong examples give their code, mended ones give none",

@@ -73,8 +73,8 @@ TEST_CASE("export --to overwrites nothing without being told so",
   Files command = {"export", file, "--to", "mjcf", "-o", folder / "robots"};
   const auto refused = RunPlsc(command);
   CHECK(refused.exit == 1);
-  CHECK(refused.err ==
-        "error: '" + second + "' exists; --force overwrites it\n");
+  CHECK(refused.err == "error: cannot write '" + second +
+                           "': it exists; --force replaces it\n");
   CHECK(ReadFile(second) == "mine");
   CHECK_FALSE(std::filesystem::exists(folder / "robots/plastic.flat.xml"));
   command.emplace_back("--force");

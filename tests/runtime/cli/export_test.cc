@@ -69,7 +69,9 @@ TEST_CASE("export overwrites nothing without being told so", "[export]") {
                                           file};
   const auto refused = RunPlsc(lines);
   CHECK(refused.exit == 1);
-  CHECK(refused.err == "error: '" + file + "' exists; --force overwrites it\n");
+  CHECK(refused.err == "error: cannot write '" + file +
+                           "': it is no list of a run that plsc made; --force "
+                           "replaces it\n");
   CHECK(ReadFile(file) == "mine");
   auto forced = lines;
   forced.emplace_back("--force");
@@ -110,7 +112,7 @@ TEST_CASE("export says what is wrong", "[export]") {
       {"no folder to write to",
        {run.path(), "--jsonl", "-o", folder / "none/a"},
        1,
-       "No such file"},
+       "its folder does not exist"},
       {"a file for a folder",
        {run.path(), "--csv", folder.Write("file", "text")},
        1,

@@ -23,7 +23,8 @@ TEST_CASE("import prints a genotype of plsc", "[cli][import]") {
   CHECK(ran.out ==
         "plsc 1\n\ngenotype genotype_robot_12\nalphabet plasticoding 1\n"
         "sense inclined: bool\naxiom C\niterations 3\nmax_modules 15\n"
-        "move_to_new False\n\nrule C -> if inclined = True then {\n  C\n"
+        "move_to_new False\nmax_terms 2\nmax_rules 2\n\nrule C -> if inclined "
+        "= True then {\n  C\n"
         "  add_left\n  A1(0.5, 4, 2, 3)\n}\n\n"
         "environment plane { inclined = False }\n"
         "environment tilted5 { inclined = True }\n");
@@ -85,6 +86,18 @@ TEST_CASE("check of Revolve's files speaks of import", "[cli][import]") {
   const auto ran = RunPlsc({"check", "-"}, kExport);
   CHECK(ran.exit == 1);
   CHECK(ran.err.find("plsc import") != std::string::npos);
+}
+
+TEST_CASE("import and check know such a file behind a byte order mark",
+          "[cli][import]") {
+  const std::string mark = "\xEF\xBB\xBF";
+  for (const std::string& text : {kExport, std::string("C C addl ST_0.5 \n")}) {
+    const auto ran = RunPlsc({"import", "-"}, mark + text);
+    CHECK(ran.exit == 0);
+    CHECK(ran.out == RunPlsc({"import", "-"}, text).out);
+    CHECK(RunPlsc({"check", "-"}, mark + text).err.find("error[P5012]") !=
+          std::string::npos);
+  }
 }
 
 }  // namespace

@@ -147,10 +147,68 @@ def test_second_process(folder, experiment):
     process.communicate()
 
 
+def test_other_names(folder, experiment, expected):
+    """Whatever a second process calls the store, and whatever is removed."""
+    path = folder / "named.sqlite"
+    process = evolve(experiment, "-o", path)
+    wait_for(lambda: evaluations(path) >= 2)
+    (folder / "soft.sqlite").symlink_to(path)
+    os.link(path, folder / "hard.sqlite")
+    (folder / "named.sqlite.lock").unlink(missing_ok=True)
+    for name in ("named.sqlite", "soft.sqlite", "hard.sqlite"):
+        err = finish("--resume", folder / name, expected=1)
+        assert f"in use by process {process.pid}" in err, err
+    (folder / "hard.sqlite").unlink()
+    out, err = process.communicate(timeout=300)
+    assert process.returncode == 0, err
+    assert tables(path) == expected, "a second process changed the results"
+
+
+def test_lost(folder, experiment, expected):
+    """A store that is deleted, moved or replaced under its run, and a study's
+    folder: each ends with the reason, and what is elsewhere is whole."""
+    other = folder / "other.sqlite"
+    shutil.copy(folder / "straight.sqlite", other)
+    moved = folder / "moved.sqlite"
+    path = folder / "lost.sqlite"
+
+    def delete():
+        path.unlink()
+
+    def move():
+        path.rename(moved)
+
+    def replace():
+        other.rename(path)
+
+    def delete_journal():
+        (folder / "lost.sqlite-wal").unlink()
+
+    for lose in (delete, move, delete_journal, replace):
+        process = evolve(experiment, "-o", path)
+        wait_for(lambda: evaluations(path) >= 2)
+        lose()
+        out, err = process.communicate(timeout=60)
+        assert process.returncode == 1, (lose, process.returncode, out, err)
+        assert "deleted, moved or replaced" in err, (lose, err)
+        assert "--resume" not in err, (lose, err)
+        left = sorted(one.name for one in folder.glob("lost.sqlite*"))
+        assert left == ([] if lose in (delete, move) else ["lost.sqlite"]), (
+            lose, left)
+        if lose == delete_journal:
+            finish("--resume", path)
+            assert tables(path) == expected, "a lost journal changed results"
+            for one in folder.glob("lost.sqlite*"):  # who reads leaves some
+                one.unlink()
+    assert tables(path) == expected, "a store that came instead was changed"
+    finish("--resume", moved)
+    assert tables(moved) == expected, "moving changed the results"
+
+
 def test_limits(folder, experiment, expected):
     """A file that may not grow, then a file system that is full."""
-    def small_files():
-        signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+    def small_files():  # SIGXFSZ ends who does not see to it
+        signal.signal(signal.SIGXFSZ, signal.SIG_DFL)
         resource.setrlimit(resource.RLIMIT_FSIZE, (300_000, 300_000))
     path = folder / "limit.sqlite"
     err = finish(experiment, "-o", path, expected=1, preexec_fn=small_files)
@@ -194,6 +252,8 @@ def main():
         test_signals(folder, experiment, expected)
         test_dead_worker(folder, experiment, expected)
         test_second_process(folder, experiment)
+        test_other_names(folder, experiment, expected)
+        test_lost(folder, experiment, expected)
         test_limits(folder, experiment, expected)
     finally:
         shutil.rmtree(folder, ignore_errors=True)

@@ -10,6 +10,7 @@ import os
 import pathlib
 import shutil
 import signal
+import sqlite3
 import subprocess
 import sys
 import tempfile
@@ -170,6 +171,12 @@ def main():
               expected, f"{ranks} ranks leave other results")
     check(evolved("both.sqlite", (*mpirun(2), *evolve, "--jobs", "2")) ==
           expected, "two ranks of two workers leave other results")
+    check(evolved("all.sqlite", (*mpirun(2), *evolve, "--jobs", "0")) ==
+          expected, "two ranks with all cores leave other results")
+    with sqlite3.connect("all.sqlite") as store:
+        workers = store.execute("SELECT workers FROM session").fetchone()[0]
+    usable = len(os.sched_getaffinity(0))
+    check(2 <= workers <= max(2, usable), f"{workers} workers, {usable} cores")
 
     wrong = run(*mpirun(2), PLSC, "evolve", "none.yaml", "-o", "none.sqlite")
     check(wrong.returncode == 1 and wrong.stdout.count("'none.yaml'") == 1,

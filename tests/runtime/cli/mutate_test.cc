@@ -5,6 +5,8 @@
 #include "compiler/compile.h"
 #include "compiler/print.h"
 #include "runtime/evolve/breed.h"
+#include "runtime/formats/authors_genotype.h"
+#include "tests/runtime/cli/authors_mutation.h"
 #include "tests/runtime/cli/run_plsc.h"
 #include "tests/runtime/cli/tiny_run.h"
 
@@ -91,6 +93,35 @@ TEST_CASE("mutate takes an experiment's operators", "[cli][mutate]") {
                  folder.Write("bad.yaml", "population: x")},
                 test::kPlasticText)
             .exit == 1);
+}
+
+TEST_CASE("mutate makes of an import what the authors' program could make",
+          "[cli][mutate][import]") {
+  const test::TemporaryFolder folder;
+  const std::string program = folder.Write(
+      "program.yaml", std::string(test::kTinyExperiment) +
+                          "insertion: before_end\nremoval: by_value\n");
+  const bool as_in_paper = GENERATE(true, false);
+  for (const std::uint64_t seed : {1, 2}) {
+    CAPTURE(seed, as_in_paper);
+    Rng rng({seed, 0, 0, Purpose::kInitialise});
+    const auto text = AuthorsGenotypeText(Initialise({}, rng));
+    const auto imported = RunPlsc({"import", "-"}, *text);
+    REQUIRE(imported.exit == 0);
+    std::vector<std::string> command = {"mutate", "-",       "--seed",
+                                        "1",      "--count", "2000"};
+    if (!as_in_paper) command.insert(command.end(), {"--experiment", program});
+    const Genotype parent = Compile(Source("parent", imported.out))->genotype;
+    const auto all =
+        CompileAll(Source("mutants", RunPlsc(command, imported.out).out));
+    REQUIRE(all);
+    REQUIRE(all->size() == 2000);
+    std::size_t made = 0;
+    for (const Program& child : *all)
+      made +=
+          test::AuthorsCanMake(parent, child.genotype, as_in_paper) ? 1U : 0U;
+    CHECK(made == all->size());
+  }
 }
 
 TEST_CASE("mutate refuses what its operators do not know", "[cli][mutate]") {

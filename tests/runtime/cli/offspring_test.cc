@@ -18,8 +18,8 @@ TEST_CASE("Children are one file of several genotypes", "[offspring]") {
   std::ostringstream out;
   std::ostringstream err;
   cli::Io io{in, out, err};
-  REQUIRE(cli::DeliverChildren({{program, "one", {}}, {program, "two", {}}}, "",
-                               cli::OutputFormat::kText, io));
+  REQUIRE(cli::DeliverChildren({{program, "one", {}}, {program, "two", {}}},
+                               {"", cli::OutputKind::kGenotype}, io));
   const auto all = CompileAll(Source("all", out.str()));
   REQUIRE(all);
   REQUIRE(all->size() == 2);
@@ -27,14 +27,14 @@ TEST_CASE("Children are one file of several genotypes", "[offspring]") {
   CHECK(err.str() == "a_1: one\na_2: two\n");
 
   out.str("");
-  REQUIRE(cli::DeliverChildren({{program, "one", {{"seed", 1}}}}, "",
-                               cli::OutputFormat::kJson, io));
+  REQUIRE(cli::DeliverChildren({{program, "one", {{"seed", 1}}}},
+                               {"", cli::OutputKind::kChildren}, io));
   const auto line = nlohmann::json::parse(out.str());
   CHECK(line["genotype"] == "a");
   CHECK(line["seed"] == 1);
   CHECK(line["text"] == Print(program));
-  CHECK_FALSE(cli::DeliverChildren({{program, "one", {}}}, "/no/such/folder/x",
-                                   cli::OutputFormat::kText, io));
+  CHECK_FALSE(
+      cli::DeliverChildren({{program, "one", {}}}, {"/no/such/folder/x"}, io));
 }
 
 }  // namespace

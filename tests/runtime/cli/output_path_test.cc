@@ -14,10 +14,14 @@ TEST_CASE("What must not be lost is not written over", "[output_path]") {
   const test::TemporaryFolder folder;
   const std::string input = folder.Write("robot.pls", "plsc 1\n");
   const std::string zoo = folder.Write("zoo.pls", "plsc 1\n");
-  const std::string other = folder.Write("old.html", "<p>old</p>");
+  const std::string other = folder.Write(
+      "old.html",
+      "<!DOCTYPE html>\n<head>\n<meta name=\"generator\" content=\"plsc\">\n");
+  const std::string foreign = folder.Write("foreign.html", "<p>old</p>");
   const std::string store = folder / "store.anything";
   std::filesystem::copy_file(test::FinishedRun().path(), store);
   std::filesystem::create_symlink(input, folder / "link.pls");
+  std::filesystem::create_symlink(folder / "none.html", folder / "loose.html");
 
   struct Row {
     const char* why;
@@ -28,9 +32,13 @@ TEST_CASE("What must not be lost is not written over", "[output_path]") {
       {"no file at all", "", ""},
       {"a new file", folder / "new.html", ""},
       {"an older page", other, ""},
+      {"an empty file", folder.Write("empty.html", ""), ""},
+      {"somebody's page", foreign, "it is no page that plsc made"},
+      {"a link to nothing", folder / "loose.html", "leads nowhere"},
+      {"standard output", "-", ""},
       {"no such folder", folder / "none/new.html", "its folder does not exist"},
       {"a folder", folder.path().string(), "it is a folder"},
-      {"a device", "/dev/null", "it is no regular file"},
+      {"a device", "/dev/null", ""},
       {"an input", input, "the command reads it"},
       {"an input by another name", folder / "link.pls", "the command reads it"},
       {"a file of which one genotype is read", folder / "zoo.pls",
@@ -43,8 +51,11 @@ TEST_CASE("What must not be lost is not written over", "[output_path]") {
     std::ostringstream out;
     std::ostringstream err;
     cli::Io io{in, out, err};
-    CHECK(cli::CanWrite(row.path, {input, zoo + "#gecko", "-", "best"}, io) ==
-          std::string(row.told).empty());
+    const cli::Output output{row.path,
+                             cli::OutputKind::kPage,
+                             false,
+                             {input, zoo + "#gecko", "-", "best"}};
+    CHECK(cli::CanWrite(output, io) == std::string(row.told).empty());
     CHECK(err.str().find(row.told) != std::string::npos);
     CHECK(err.str().empty() == std::string(row.told).empty());
   }

@@ -1,7 +1,4 @@
-#include <sqlite3.h>
-
 #include <catch2/catch.hpp>
-#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -13,20 +10,6 @@ namespace {
 
 using nlohmann::json;
 using test::RunPlsc;
-
-/// A copy of the run in which something is otherwise.
-std::string Changed(const test::TemporaryFolder& folder, const char* sql) {
-  const std::string copy = folder / "copy.sqlite";
-  std::filesystem::copy_file(test::FinishedRun().path(), copy);
-  sqlite3* store = nullptr;
-  REQUIRE(sqlite3_open(copy.c_str(), &store) == SQLITE_OK);
-  const int code = sqlite3_exec(store, sql, nullptr, nullptr, nullptr);
-  INFO(sqlite3_errmsg(store));
-  CHECK(code == SQLITE_OK);
-  CHECK(sqlite3_changes(store) > 0);
-  sqlite3_close(store);
-  return copy;
-}
 
 TEST_CASE("every robot of a run comes out again, bit for bit", "[replay]") {
   const test::TinyRun& run = test::FinishedRun();
@@ -65,13 +48,29 @@ TEST_CASE("replay tells which stored number does not come out", "[replay]") {
   for (const Row& row : rows) {
     DYNAMIC_SECTION(row.why) {
       const test::TemporaryFolder folder;
-      const auto ran =
-          RunPlsc({"replay", Changed(folder, row.sql), "--all", "--jobs", "2"});
+      const auto ran = RunPlsc({"replay", test::ChangedRun(folder, row.sql),
+                                "--all", "--jobs", "2"});
       CHECK(ran.exit == 1);
       CHECK(ran.out.find(row.name) != std::string::npos);
       CHECK(ran.err.find("came out otherwise") != std::string::npos);
     }
   }
+}
+
+TEST_CASE("replay trusts no damaged number", "[replay]") {
+  const test::TemporaryFolder folder;
+  const std::string copy = test::DamagedRun(
+      folder, "UPDATE evaluation SET fitness = 17 WHERE individual = 3");
+  const auto one = RunPlsc({"replay", copy, "3"});
+  CHECK(one.exit == 1);
+  CHECK(one.out.empty());
+  CHECK(one.err == "error: '" + copy +
+                       "' is damaged: the evaluation of robot 3 is not what "
+                       "it was\n");
+  CHECK(RunPlsc({"replay", copy, "4"}).exit == 0);
+  const auto all = RunPlsc({"replay", copy, "--all"});
+  CHECK(all.exit == 1);
+  CHECK(all.out.empty());
 }
 
 TEST_CASE("replay says what it cannot find", "[replay]") {

@@ -39,7 +39,9 @@ TEST_CASE("report prints a run as JSON", "[report]") {
 
 TEST_CASE("report writes a page, and replaces it", "[report]") {
   const test::TemporaryFolder folder;
-  const std::string page = folder.Write("page.html", "before");
+  const std::string page = folder.Write(
+      "page.html",
+      R"(<!DOCTYPE html><meta name="generator" content="plsc">before)");
   const auto ran = RunPlsc({"report", FinishedRun().path(), "-o", page});
   if (!HasPages()) {
     CHECK(ran.exit == 1);

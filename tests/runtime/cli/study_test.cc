@@ -58,8 +58,7 @@ TEST_CASE("study list shows what would run, and runs nothing", "[study]") {
   REQUIRE(all.size() == 4);
   CHECK(all[2]["experiment"] == "baseline");
   CHECK(all[2]["repetition"] == 1);
-  CHECK(all[2]["seed"].get<std::uint64_t>() !=
-        all[0]["seed"].get<std::uint64_t>());
+  CHECK(all[2]["seed"].get<std::string>() != all[0]["seed"].get<std::string>());
   const auto part = Lines(
       RunPlsc({"study", "list", file, "--shard", "2/3", "--format", "json"})
           .out);
@@ -126,8 +125,7 @@ TEST_CASE("a run of a study is the one that evolve makes", "[study]") {
                    "population: 2\noffspring: 2\ngenerations: 2\nscenario:\n"
                    "  seasons: [{name: flat, terrain: flat, duration: 1 s}]\n");
   REQUIRE(RunPlsc({"evolve", experiment, "-o", folder / "e.sqlite", "--seed",
-                   std::to_string(listed[0]["seed"].get<std::uint64_t>()),
-                   "--quiet"})
+                   listed[0]["seed"].get<std::string>(), "--quiet"})
               .exit == 0);
   const auto genotype = [](const std::string& run) {
     return RunPlsc({"show", run, "best", "--genotype"}).out;

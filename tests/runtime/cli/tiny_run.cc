@@ -1,6 +1,11 @@
 #include "tests/runtime/cli/tiny_run.h"
 
 #include <cassert>
+#include <catch2/catch.hpp>
+#include <filesystem>
+
+#include "runtime/store/checksum.h"
+#include "runtime/store/database.h"
 
 namespace plsc::test {
 
@@ -25,6 +30,41 @@ TinyRun::TinyRun() {
 const TinyRun& FinishedRun() {
   static const TinyRun run;
   return run;
+}
+
+namespace {
+
+std::string ChangedCopy(const TemporaryFolder& folder, const std::string& sql,
+                        bool has_right_checksums) {
+  const std::string copy = folder / "copy.sqlite";
+  std::filesystem::copy_file(FinishedRun().path(), copy);
+  Database store;
+  REQUIRE_FALSE(store.Open(copy, Database::Mode::kWrite));
+  store.Run(sql);
+  Statement changes(store, "SELECT total_changes()");
+  CHECK((changes.With().Next() && changes.TakeInteger() > 0));
+  changes.Run();
+  if (has_right_checksums) {
+    Checksums sums(store);
+    Statement update(store,
+                     "UPDATE evaluation SET checksum = ? "
+                     "WHERE individual = ? AND season = ?");
+    for (int id = 1; id <= 18; ++id)
+      for (int season = 1; season <= 2; ++season)
+        update.With(sums.OfEvaluation(id, season), id, season).Run();
+  }
+  REQUIRE_FALSE(store.TakeFailure());
+  return copy;
+}
+
+}  // namespace
+
+std::string ChangedRun(const TemporaryFolder& folder, const std::string& sql) {
+  return ChangedCopy(folder, sql, true);
+}
+
+std::string DamagedRun(const TemporaryFolder& folder, const std::string& sql) {
+  return ChangedCopy(folder, sql, false);
 }
 
 }  // namespace plsc::test

@@ -24,6 +24,12 @@ class TinyRun {
 
 const TinyRun& FinishedRun();
 
+/// A copy of the run in which something is otherwise, with right checksums: as
+/// another program or machine would have written it.
+std::string ChangedRun(const TemporaryFolder& folder, const std::string& sql);
+/// A copy that was changed behind its back.
+std::string DamagedRun(const TemporaryFolder& folder, const std::string& sql);
+
 /// YAML of such a run.
 extern const char* const kTinyExperiment;
 

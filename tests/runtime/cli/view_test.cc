@@ -1,5 +1,3 @@
-#include <sqlite3.h>
-
 #include <catch2/catch.hpp>
 #include <filesystem>
 
@@ -96,14 +94,8 @@ TEST_CASE("view refuses before it lives anything", "[view]") {
 TEST_CASE("view warns of a life that is not the stored one", "[view]") {
   if (!HasPages()) return;
   const test::TemporaryFolder folder;
-  const std::string copy = folder / "copy.sqlite";
-  std::filesystem::copy_file(test::FinishedRun().path(), copy);
-  sqlite3* store = nullptr;
-  REQUIRE(sqlite3_open(copy.c_str(), &store) == SQLITE_OK);
-  CHECK(sqlite3_exec(store,
-                     "UPDATE simulation SET state_hash = '00000000000000ff'",
-                     nullptr, nullptr, nullptr) == SQLITE_OK);
-  sqlite3_close(store);
+  const std::string copy = test::ChangedRun(
+      folder, "UPDATE simulation SET state_hash = '00000000000000ff'");
   const auto ran = RunPlsc({"view", copy, "-o", folder / "p.html"});
   CHECK(ran.exit == 0);
   CHECK(ran.err.find("is not, to the last bit") != std::string::npos);

@@ -11,12 +11,14 @@
 #include <vector>
 
 #include "tests/runtime/evolve/fake_run.h"
+#include "tests/runtime/evolve/memory_cache.h"
 
 namespace plsc {
 
 namespace {
 
 using test::Look;
+using test::MemoryCache;
 using test::NumberOf;
 using test::Recorder;
 using test::SmallExperiment;
@@ -35,22 +37,6 @@ RunResult Record(const Experiment& experiment, int jobs,
   options.observers = {&recorder};
   return Evolve(experiment, options);
 }
-
-/// Simulations by key, as a shared cache has them.
-class Memory : public SimulationCache {
- public:
-  std::map<Key, Simulated> known;
-  std::optional<Simulated> Find(const Key& key) override {
-    const auto found = known.find(key);
-    if (found == known.end()) return std::nullopt;
-    return found->second;
-  }
-  std::optional<std::string> Add(const Key& key,
-                                 const Simulated& simulated) override {
-    known.emplace(key, simulated);
-    return std::nullopt;
-  }
-};
 
 /// That both saw the same, whatever the order.
 void CheckSame(const Recorder& one, const Recorder& other) {
@@ -197,7 +183,7 @@ TEST_CASE("Nothing is simulated twice, and caches change nothing", "[evolve]") {
   Recorder plain;
   const RunResult first = Record(experiment, 2, LookSlowly, plain);
 
-  Memory memory;
+  MemoryCache memory;
   EvolveOptions options;
   options.jobs = 2;
   options.simulate = LookSlowly;

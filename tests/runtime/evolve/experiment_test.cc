@@ -98,6 +98,11 @@ TEST_CASE("A scenario of its own file is left to the caller", "[experiment]") {
   CHECK(errors[0].message.find("'unheard_of'") != std::string::npos);
 }
 
+TEST_CASE("The largest population is one of the paper's genotypes",
+          "[experiment]") {
+  CHECK(Errors("population: 100000\noffspring: 100000\n").empty());
+}
+
 TEST_CASE("Mistakes in an experiment are shown where they are",
           "[experiment]") {
   struct Row {
@@ -111,7 +116,19 @@ TEST_CASE("Mistakes in an experiment are shown where they are",
        {"unknown key 'popullation'", "did you mean 'population'?"}},
       {"nobody to choose parents from",
        "population: 1\n",
-       {"expected a whole number of 2 to 1000000, found 1"}},
+       {"expected a whole number of 2 to 100000, found 1"}},
+      {"a population beyond memory",
+       "population: 1000000\n",
+       {"expected a whole number of 2 to 100000, found 1000000",
+        "held in memory", "test.yaml:1:13"}},
+      {"as many children",
+       "offspring: 100001\n",
+       {"expected a whole number of 1 to 100000, found 100001"}},
+      {"genotypes beyond memory",
+       "max_rules: 1000\nmax_groups: 1000\npopulation: 5\n",
+       {"105 robots of up to 25005000 symbols each are more than the 50000000 "
+        "symbols that memory is meant for",
+        "test.yaml:3:13", "'max_groups' smaller"}},
       {"no generation", "generations: 0\n", {"found 0"}},
       {"a percentage",
        "mutation: 80\n",
@@ -181,7 +198,7 @@ TEST_CASE("Mistakes in an experiment are shown where they are",
        "scenario:\n  seasons: [{duration: 5 kg}]\n  sedn: 1\n",
        {"expected a time in s, ms or min, found 'kg'", "unknown key 'sedn'"}},
       {"more robots than numbers",
-       "generations: 1000000\noffspring: 1000000\n",
+       "generations: 1000000\noffspring: 100000\n",
        {"more than can be numbered", "test.yaml:1:14"}},
       {"a newer format", "plsc_experiment: 2\n", {"found 2"}},
       {"a name of robots with a blank",
@@ -195,6 +212,39 @@ TEST_CASE("Mistakes in an experiment are shown where they are",
         INFO(errors);
         CHECK(errors.find(part) != std::string::npos);
       }
+    }
+  }
+}
+
+// Not timed; each took minutes when it was read.
+TEST_CASE("Lists of any length are refused at once", "[experiment]") {
+  const auto list = [](const char* name) {
+    std::string text;
+    for (int i = 0; i < 100000; ++i)
+      text += (i > 0 ? ", " : "") + std::string(name) + std::to_string(i);
+    return text;
+  };
+  struct Row {
+    const char* why;
+    std::string text;
+    std::string code;
+    std::string message;
+  };
+  const std::vector<Row> rows = {
+      {"states", "states: [" + list("s") + "]\n", "P3002",
+       "a genotype has at most 1000 states, found 100000"},
+      {"values", "states: [{g: [" + list("v") + "]}]\n", "P3002",
+       "a state has at most 1000 values, found 100000"},
+      {"seasons", "scenario: {seasons: [" + list("x") + "]}\n", "P5108",
+       "a scenario has at most 1000 seasons, found 100000"},
+  };
+  for (const Row& row : rows) {
+    DYNAMIC_SECTION(row.why) {
+      const Source source("test.yaml", "plsc_experiment: 1\n" + row.text);
+      const auto read = ParseExperiment(source);
+      REQUIRE_FALSE(read);
+      CHECK(read.diagnostics()[0].code == row.code);
+      CHECK(read.diagnostics()[0].message == row.message);
     }
   }
 }

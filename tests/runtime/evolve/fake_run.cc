@@ -36,7 +36,9 @@ Simulated Look(const Phenotype& robot, const Season& season) {
   return seen;
 }
 
-RunObserver::Failure Recorder::OnBirths(const std::vector<Individual>& born) {
+RunObserver::Failure Recorder::OnBirths(
+    const std::vector<Individual>& born,
+    const std::function<bool()>& /*should_stop*/) {
   std::vector<int> ids;
   for (const Individual& one : born) ids.push_back(one.id);
   births.push_back(ids);

@@ -4,6 +4,7 @@
 // by a look at the phenotype instead of by physics, and an observer that keeps
 // all it sees.
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -33,7 +34,8 @@ class Recorder : public RunObserver {
   /// What OnEvaluated fails after; 0: never.
   std::size_t failing_after = 0;
 
-  Failure OnBirths(const std::vector<Individual>& born) override;
+  Failure OnBirths(const std::vector<Individual>& born,
+                   const std::function<bool()>& should_stop) override;
   Failure OnEvaluated(const Individual& one,
                       const std::vector<SeasonEvidence>& its) override;
   Failure OnGeneration(const GenerationRecord& record) override;

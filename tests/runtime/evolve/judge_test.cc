@@ -62,7 +62,22 @@ TEST_CASE("A death, or nonsense, is an outcome of every season", "[judge]") {
 
 TEST_CASE("Workers may take far longer than any robot needs", "[judge]") {
   Experiment experiment;
-  CHECK(HangSeconds(experiment) > 1000);
+  // Two seasons of 50 s.
+  CHECK(HangSeconds(experiment) == Approx(300 + 20 * 100));
+  // What takes longer than it is lived may take so much longer.
+  PhysicsOptions& physics = experiment.scenario.seasons[0].physics;
+  physics.step = 1e-5;
+  CHECK(HangSeconds(experiment) == Approx(300 + 20 * (25000 + 50)));
+  physics.step = 0.005;
+  physics.solver_iterations = 5000;
+  CHECK(HangSeconds(experiment) == Approx(300 + 20 * (5000 + 50)));
+  physics.solver_iterations = 50;
+  // 2.6 s a step; measured are 1.7 s.
+  physics.max_direct_links = 200;
+  CHECK(HangSeconds(experiment) > 20 * 10000 * 1.7);
+  physics.max_direct_links = 100000;
+  experiment.scenario.max_links = 32;
+  CHECK(HangSeconds(experiment) == Approx(300 + 20 * 100));
   experiment.scenario.seasons.resize(1);
   experiment.scenario.seasons[0].duration = 1;
   CHECK(HangSeconds(experiment) > 60);

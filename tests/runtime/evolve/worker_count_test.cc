@@ -3,6 +3,7 @@
 #include <sched.h>
 
 #include <catch2/catch.hpp>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -52,6 +53,41 @@ TEST_CASE("There is always at least one worker", "[worker_count]") {
   CHECK(WorkerCount(0) == UsableCores());
   CHECK(UsableCores() >= 1);
   CHECK(UsableCores() <= BoundCores());
+}
+
+TEST_CASE("Ranks of a machine share its cores, unless they are bound apart",
+          "[worker_count]") {
+  struct Row {
+    const char* why;
+    int own, together, ranks;
+    std::vector<int> shares;
+  };
+  const std::vector<Row> rows = {
+      {"alone", 8, 8, 1, {8}},
+      {"bound to a core each", 1, 8, 4, {1, 1, 1, 1}},
+      {"bound to two each", 2, 8, 4, {2, 2, 2, 2}},
+      {"not bound", 8, 8, 4, {2, 2, 2, 2}},
+      {"not bound, and one over", 8, 8, 3, {3, 3, 2}},
+      {"two on each of two sockets", 4, 8, 4, {2, 2, 2, 2}},
+      {"more than cores", 2, 2, 4, {1, 1, 1, 1}},
+      {"a quota of a core and a half", 2, 2, 2, {1, 1}},
+  };
+  for (const Row& row : rows) {
+    INFO(row.why);
+    for (int rank = 0; rank < row.ranks; ++rank)
+      CHECK(ShareOfRank(row.own, row.together, row.ranks, rank) ==
+            row.shares[static_cast<std::size_t>(rank)]);
+  }
+}
+
+TEST_CASE("A rank's share is of what its launcher says", "[worker_count]") {
+  CHECK(RankWorkerCount(5) == 5);
+  REQUIRE(setenv("OMPI_COMM_WORLD_LOCAL_SIZE", "1000000", 1) == 0);
+  CHECK(RankWorkerCount(0) == 1);
+  REQUIRE(setenv("OMPI_COMM_WORLD_LOCAL_SIZE", "1", 1) == 0);
+  CHECK(RankWorkerCount(0) == UsableCores());
+  REQUIRE(unsetenv("OMPI_COMM_WORLD_LOCAL_SIZE") == 0);
+  CHECK(RankWorkerCount(0) == UsableCores());
 }
 
 TEST_CASE("Workers are no more than the cores that we are bound to",

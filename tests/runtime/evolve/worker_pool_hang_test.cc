@@ -48,6 +48,10 @@ void DozeForEver() {
   while (true) usleep(2000);
 }
 
+void StopForEver() {
+  while (true) raise(SIGSTOP);
+}
+
 }  // namespace
 
 TEST_CASE("What hangs two workers is reported and not tried again",
@@ -58,7 +62,8 @@ TEST_CASE("What hangs two workers is reported and not tried again",
   };
   const std::vector<Row> rows = {{"it sleeps", SleepForEver},
                                  {"it computes", SpinForEver},
-                                 {"it wakes to sleep again", DozeForEver}};
+                                 {"it wakes to sleep again", DozeForEver},
+                                 {"it is stopped", StopForEver}};
   for (const Row& row : rows) {
     DYNAMIC_SECTION(row.why) {
       SharedCounter begun;

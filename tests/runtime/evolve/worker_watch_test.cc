@@ -24,7 +24,7 @@ TEST_CASE("What counts against a worker is the time that was its own",
   const Vitals begin = {5, false};
   const std::vector<Row> rows = {
       {"it computes", {{1, {{6, false}}}, {1, {{7, false}}}}, 2},
-      {"it sleeps", {{1, {{5, true}}}, {1, {{5, true}}}}, 2},
+      {"it sleeps, or is stopped", {{1, {{5, true}}}, {1, {{5, true}}}}, 2},
       {"it has a third of a core", {{3, {{6, false}}}, {3, {{7, false}}}}, 2},
       {"it has none", {{1, {{5, false}}}, {1, {{5, false}}}}, 0},
       {"it wakes now and then", {{1, {{5.1, true}}}, {1, {{5.2, true}}}}, 2},
@@ -49,22 +49,22 @@ TEST_CASE("Vitals of a process are the system's", "[worker_watch]") {
   clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
   const auto ours = ReadVitals(getpid());
   REQUIRE(ours);
-  CHECK_FALSE(ours->is_asleep);
+  CHECK_FALSE(ours->is_idle);
   CHECK(ours->cpu >= static_cast<double>(time.tv_sec) - 1);
 
   const pid_t child = fork();
   if (child == 0)
     while (true) pause();
-  // Sooner or later it is asleep; and not so when it is stopped.
+  // Sooner or later it is asleep; and it is no better when it is stopped.
   std::optional<Vitals> vitals;
   do {
     vitals = ReadVitals(child);
     REQUIRE(vitals);
-  } while (!vitals->is_asleep);
+  } while (!vitals->is_idle);
   kill(child, SIGSTOP);
   int status = 0;
   REQUIRE(waitpid(child, &status, WUNTRACED) == child);
-  CHECK_FALSE(ReadVitals(child)->is_asleep);
+  CHECK(ReadVitals(child)->is_idle);
   kill(child, SIGKILL);
   waitpid(child, nullptr, 0);
   CHECK_FALSE(ReadVitals(child));

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <optional>
 
 #include "compiler/print.h"
 #include "runtime/develop.h"
@@ -67,6 +68,14 @@ Genotype InTheirOrder(Genotype genotype) {
   return genotype;
 }
 
+// Those of the experiments that the samples are of.
+void SetAuthorsLimits(Genotype* genotype) {
+  const bool is_plastic =
+      !genotype->states.empty() && !genotype->rules.front().clause.is_always();
+  if (is_plastic) genotype->max_terms = 2;
+  genotype->max_rules = is_plastic ? 2 : 1;
+}
+
 // Inverse of the lines reader, for tests; `decimals` as Revolve's samples.
 std::string LinesOf(const Genotype& genotype, int decimals) {
   std::string text;
@@ -105,8 +114,8 @@ TEST_CASE("Every sample survives the way to Revolve's export and back",
   for (const std::string& set : test::ReferenceSets())
     for (const test::Json& one : test::ReadReferenceCases(set)) {
       INFO(one["id"]);
-      const Genotype genotype =
-          test::CompileText(test::GenotypeText(one)).genotype;
+      Genotype genotype = test::CompileText(test::GenotypeText(one)).genotype;
+      SetAuthorsLimits(&genotype);
       const auto text = AuthorsGenotypeText(genotype);
       REQUIRE(text);
       const Program program = Imported(*text);
@@ -171,6 +180,44 @@ TEST_CASE("Clauses bring states, and the paper's worlds as environments",
   REQUIRE(program.environments.size() == 2);
   CHECK(program.environments[1].name == "tilted5");
   CHECK(program.environments[1].environment.values == std::vector<double>{1});
+}
+
+TEST_CASE("Limits are those that Revolve's operators keep to",
+          "[authors_genotype]") {
+  const auto plastic = [](const std::string& clause, int rules) {
+    std::string text = "{<Alphabet.BLOCK: 'B'>: [";
+    for (int i = 0; i < rules; ++i)
+      text += std::string(i > 0 ? ", " : "") + "[[" + clause +
+              "], [[<Alphabet.ADD_LEFT: 'addl'>, []]]]";
+    return text + "]}";
+  };
+  std::string three = "['hill', '==', True]";
+  for (int i = 0; i < 2; ++i) three += ", ['or'], ['hill', '==', False]";
+  std::string endless = three;
+  for (int i = 0; i < 1000; ++i) endless += ", ['or'], ['hill', '==', False]";
+  struct Row {
+    const char* why;
+    std::string text;
+    std::optional<int> max_terms;
+    std::optional<int> max_rules;
+    const char* codes;
+  };
+  const std::vector<Row> rows = {
+      {"plastic", plastic("['hill', '==', True]", 1), 2, 2, ""},
+      {"three terms", plastic(three, 2), 3, 2, "W5200"},
+      {"three rules", plastic("['hill', '==', True]", 3), 2, 3, "W5200"},
+      {"beyond any limit", plastic(endless, 1), std::nullopt, 2, "W5200"},
+      {"baseline", kCore + "]}", std::nullopt, 1, ""},
+      {"lines", "C C addf B \n", std::nullopt, 1, ""},
+  };
+  for (const Row& row : rows) {
+    DYNAMIC_SECTION(row.why) {
+      const Genotype genotype = Imported(row.text).genotype;
+      CHECK(genotype.max_terms == row.max_terms);
+      CHECK(genotype.max_rules == row.max_rules);
+      CHECK(CodesOfImport(row.text) == row.codes);
+    }
+  }
 }
 
 TEST_CASE("What Revolve joined in the level season is found, and taken off",
@@ -250,12 +297,49 @@ TEST_CASE("What Revolve has no words for is not exported",
   };
   CHECK(code(test::Robot("rule C -> { C }")).empty());
   CHECK(code(test::Robot("iterations 4 rule C -> { C }")) == "W5200");
+  CHECK(code(test::Robot("max_rules 1 rule C -> { C }")).empty());
+  CHECK(code(test::Robot("max_rules 2 rule C -> { C }")) == "W5200");
+  CHECK(code(test::Robot("sense t: bool max_terms 2 max_rules 2\n"
+                         "rule B -> if t = True then { B }"))
+            .empty());
+  CHECK(code(test::Robot("sense t: bool max_terms 3\n"
+                         "rule B -> if t = True then { B }")) == "W5200");
   CHECK(code(test::Didactic("rule X -> { a }")) == "P5200");
   CHECK(code(test::Robot("rule B -> { B } rule B -> { T(1) }")) == "P5200");
   CHECK(code(test::Robot("sense t: real in 0..1\n"
                          "rule B -> if t > 0.5 then { B }")) == "P5200");
   CHECK(code(test::Robot("sense t: bool rule C -> { C }\n"
                          "rule B -> if t = True then { B }")) == "P5200");
+}
+
+// Not timed; by the square of what they list each would take minutes, and the
+// messages of the last gigabytes.
+TEST_CASE("Texts of Revolve of any length are read or refused",
+          "[authors_genotype]") {
+  const std::string rule = "[[<Alphabet.ADD_LEFT: 'addl'>, []]]";
+  std::string letters = "{";
+  std::string conditions = "{<Alphabet.BLOCK: 'B'>: [";
+  for (int i = 0; i < 60000; ++i) {
+    const char* comma = i == 0 ? "" : ", ";
+    letters += fmt::format("{}<Alphabet.X: 'L{}'>: [[[['h', '==', True]], {}]]",
+                           comma, i, rule);
+    conditions += fmt::format("{}[[['h{}', '==', True]], {}]", comma, i, rule);
+  }
+  const auto first_of = [](const std::string& text) {
+    const auto read =
+        ImportAuthorsGenotype(Source("test", text), GuessAuthorsFormat(text));
+    REQUIRE_FALSE(read);
+    CHECK(read.diagnostics().size() <= kMaxReported + 1);
+    return read.diagnostics()[0].code;
+  };
+  CHECK(first_of(letters + "}") == "P2007");
+  CHECK(first_of(conditions + "]}") == "P5200");
+  std::string tokens = "B ";
+  for (int i = 0; i < 1'000'000; ++i) tokens += "xyz ";
+  CHECK(first_of(tokens + "\n") == "P2001");
+  std::string numbers = "B ST_";
+  for (int i = 0; i < 1'000'000; ++i) numbers += "x|";
+  CHECK(first_of(numbers + " \n") == "P5200");
 }
 
 }  // namespace

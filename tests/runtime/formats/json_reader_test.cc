@@ -50,9 +50,9 @@ TEST_CASE("JsonReader reports what is wrong, at its place", "[json_reader]") {
                     "P5103@9 expected a text for 'text', found 1",
                     "P5103@22 expected a number for 'number', found \"x\"",
                     "P5103@35 expected a list for 'list', found an object",
-                    "P5103@52 expected a whole number in 0..9 in 'nmber', "
+                    "P5104@52 expected a whole number in 0..9 in 'nmber', "
                     "found -1",
-                    "P5103@56 expected a whole number in 0..9 in 'nmber', "
+                    "P5104@56 expected a whole number in 0..9 in 'nmber', "
                     "found 99",
                     "P5106@0 the key 'missing' is missing here"});
 }

@@ -1,6 +1,9 @@
 #include "runtime/formats/json_text.h"
 
 #include <catch2/catch.hpp>
+#include <string>
+
+#include "runtime/formats/json_place.h"
 
 namespace plsc {
 namespace {
@@ -27,6 +30,18 @@ TEST_CASE("only one JSON value without repeated keys is read", "[json_text]") {
       CHECK((json ? "" : json.diagnostics()[0].code) == row.code);
     }
   }
+}
+
+TEST_CASE("Brackets are not nested without bound", "[json_text]") {
+  const auto code = [](std::size_t depth) {
+    const auto json = ReadJson(
+        Source("t.json", std::string(depth, '[') + std::string(depth, ']')));
+    return json ? "" : json.diagnostics()[0].code;
+  };
+  CHECK(code(kMaxJsonDepth).empty());
+  CHECK(code(kMaxJsonDepth + 1) == "P5100");
+  CHECK(code(1'000'000) == "P5100");
+  CHECK(ReadJson(Source("t.json", "[\"" + std::string(100, '[') + "\"]")));
 }
 
 }  // namespace

@@ -41,22 +41,22 @@ TEST_CASE("what is no recording is refused at its place", "[recording_parse]") {
        [&](Json& j) {
          season(j)["body"]["links"][0]["boxes"][0]["module"] = 4;
        },
-       "P5103", "0..3"},
+       "P5104", "0..3"},
       {"a link without mass",
-       [&](Json& j) { season(j)["body"]["links"][0]["mass"] = 0; }, "P5107",
+       [&](Json& j) { season(j)["body"]["links"][0]["mass"] = 0; }, "P5104",
        "mass"},
       {"a centre of two numbers",
        [&](Json& j) {
          season(j)["body"]["links"][0]["rest"] = Json::array({1, 2});
        },
-       "P5107", "expected 3 numbers for 'rest', found 2"},
+       "P5108", "expected 3 numbers for 'rest', found 2"},
       {"no quaternion",
        [&](Json& j) {
          season(j)["body"]["links"][0]["boxes"][0]["turn"][0] = 2;
        },
-       "P5107", "length 1"},
+       "P5108", "length 1"},
       {"rows of another body",
-       [&](Json& j) { season(j)["motion"]["position"]["rows"] = 3; }, "P5107",
+       [&](Json& j) { season(j)["motion"]["position"]["rows"] = 3; }, "P5108",
        "expected 6 rows"},
       {"another unit",
        [&](Json& j) { season(j)["motion"]["position"]["unit"] = 1e-3; },
@@ -66,9 +66,9 @@ TEST_CASE("what is no recording is refused at its place", "[recording_parse]") {
          auto& data = season(j)["motion"]["turn"]["data"];
          data = data.get<std::string>().substr(0, 400);
        },
-       "P5107", "'data' is not 8 times 51 numbers"},
+       "P5108", "'data' is not 8 times 51 numbers"},
       {"more samples than data",
-       [&](Json& j) { season(j)["motion"]["samples"] = 2000000000; }, "P5107",
+       [&](Json& j) { season(j)["motion"]["samples"] = 2000000000; }, "P5108",
        "'data' is not"},
       {"touch that is 3: the bytes 6 and 0",
        [&](Json& j) {
@@ -76,9 +76,9 @@ TEST_CASE("what is no recording is refused at its place", "[recording_parse]") {
              "BgAA" +
              season(j)["motion"]["touch"]["data"].get<std::string>().substr(4);
        },
-       "P5107", "'touch' is 0 or 1"},
+       "P5104", "'touch' is 0 or 1"},
       {"steps of no time", [&](Json& j) { season(j)["motion"]["step"] = 0; },
-       "P5107", "more than 0 s"},
+       "P5104", "more than 0 s"},
       {"text for a number", [&](Json& j) { season(j)["begin"] = "soon"; },
        "P5103", "'begin'"},
   };

@@ -6,12 +6,21 @@
 namespace plsc {
 namespace {
 
+Genotype Robot() {
+  Genotype robot;
+  robot.name = "robot";
+  robot.states = {{"inclined", StateType::kBool, 0, 0, {}},
+                  {"hot", StateType::kBool, 0, 0, {}},
+                  {"heat", StateType::kReal, -40, 60, {}}};
+  return robot;
+}
+
 TEST_CASE("a season that was not lived has no behaviour and no fitness",
           "[season_json]") {
   SeasonResult result;
   result.season = "flat";
   result.outcome = Outcome::kOverlapping;
-  const auto json = nlohmann::json::parse(SeasonJson("robot", result));
+  const auto json = nlohmann::json::parse(SeasonJson(Robot(), result));
   CHECK(json["genotype"] == "robot");
   CHECK(json["outcome"] == "overlapping");
   CHECK(json["fitness"].is_null());
@@ -26,7 +35,8 @@ TEST_CASE("a season tells what was sensed and what changed", "[season_json]") {
   result.profile = Profile::kPublished;
   result.begin = 50;
   result.sensed = {{"inclined", "True", SenseSource::kImu},
-                   {"hot", "False", SenseSource::kSeason}};
+                   {"hot", "False", SenseSource::kSeason},
+                   {"heat", "30.5", SenseSource::kParent}};
   result.inclination = 0.0875;
   result.change = Change::kBody;
   result.change_reason = "inclined False -> True";
@@ -34,10 +44,12 @@ TEST_CASE("a season tells what was sensed and what changed", "[season_json]") {
   result.reason = "link 3 turns";
   result.steps = 77;
   result.solver_warnings = 2;
-  const auto json = nlohmann::json::parse(SeasonJson("robot", result));
+  const auto json = nlohmann::json::parse(SeasonJson(Robot(), result));
   CHECK(json["profile"] == "published");
   CHECK(json["begin"] == 50);
-  CHECK(json["sensed"]["inclined"]["value"] == "True");
+  CHECK(json["sensed"]["inclined"]["value"] == true);
+  CHECK(json["sensed"]["hot"]["value"] == false);
+  CHECK(json["sensed"]["heat"]["value"] == 30.5);
   CHECK(json["sensed"]["inclined"]["from"] == "imu");
   CHECK(json["sensed"]["hot"]["from"] == "season");
   CHECK(json["inclination"] == 0.0875);
@@ -48,7 +60,7 @@ TEST_CASE("a season tells what was sensed and what changed", "[season_json]") {
   CHECK(json["steps"] == 77);
   CHECK(json["solver_warnings"] == 2);
   CHECK(
-      nlohmann::json::parse(SeasonJson("robot", {}))["inclination"].is_null());
+      nlohmann::json::parse(SeasonJson(Robot(), {}))["inclination"].is_null());
 }
 
 TEST_CASE("numbers of a season come back bit for bit", "[season_json]") {
@@ -58,7 +70,7 @@ TEST_CASE("numbers of a season come back bit for bit", "[season_json]") {
   result.behaviour.head_balance = 1.0 / 3;
   result.body.absolute_size = 7;
   result.state_hash = 0xABCDEF;
-  const auto json = nlohmann::json::parse(SeasonJson("robot", result));
+  const auto json = nlohmann::json::parse(SeasonJson(Robot(), result));
   CHECK(json["fitness"].get<double>() == 0.1 + 0.2);
   CHECK(json["behaviour"]["head_balance"].get<double>() == 1.0 / 3);
   CHECK(json["body_descriptors"]["absolute_size"] == 7);

@@ -115,5 +115,28 @@ TEST_CASE("Texts that share nothing differ as a whole", "[diff]") {
   CHECK(lines[2] == "@@ -1,3001 +1,3001 @@");
 }
 
+TEST_CASE("Changed lines are those that make one text of the other",
+          "[unified_diff]") {
+  const std::vector<std::string> texts = {
+      "",       "a\n",     "a\nb\nc\n", "a\nx\nc\n",
+      "b\nc\n", "a\nb\nc", "c\nb\na\n", "a\nb\nb\nb\nc\nd\n"};
+  for (const std::string& from : texts) {
+    for (const std::string& to : texts) {
+      CAPTURE(from, to);
+      std::string made;
+      std::size_t copied = 0;
+      for (const ChangedLines& one : LineChanges(from, to)) {
+        CHECK(std::count(from.begin(),
+                         from.begin() + static_cast<std::ptrdiff_t>(one.begin),
+                         '\n') == static_cast<std::ptrdiff_t>(one.first_line));
+        CHECK(one.end_line - one.first_line <= one.end - one.begin);
+        made += from.substr(copied, one.begin - copied) + one.replacement;
+        copied = one.end;
+      }
+      CHECK(made + from.substr(copied) == to);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace plsc

@@ -23,4 +23,30 @@ TEST_CASE("A broken text is not formatted", "[lsp]") {
   CHECK(FormattingEdits(analysis).is_null());
 }
 
+TEST_CASE("Of a range only its lines are laid out", "[lsp]") {
+  const std::string text =
+      "plsc 1\n\nalphabet plasticoding 1\n\nrule C -> {\n    C\n  B\n}\n\n"
+      "rule B -> {\n    B\n}\n";
+  const Analysis analysis(kTestUri, text);
+  std::string first = text;
+  first.replace(first.find("    C"), 5, "  C");
+  CHECK(Edited(text, FormattingEdits(analysis, 4, 7)) == first);
+  CHECK(Edited(text, FormattingEdits(analysis, 5, 5)) == first);
+  CHECK(FormattingEdits(analysis, 6, 8) == Json::array());
+  CHECK(Edited(text, FormattingEdits(analysis, 0, 99)) ==
+        *Format(Source("f", text)));
+}
+
+TEST_CASE("What would move out of a range stays", "[lsp]") {
+  const std::string text =
+      "plsc 1\n\niterations 2\n\nrule C -> {\n  C\n}\n\n"
+      "alphabet plasticoding 1\n";
+  const Analysis analysis(kTestUri, text);
+  const Json of_alphabet = FormattingEdits(analysis, 8, 8);
+  CHECK((of_alphabet.is_null() || of_alphabet.empty()));
+  CHECK(Edited(text, FormattingEdits(analysis, 0, 9)) ==
+        *Format(Source("f", text)));
+  CHECK(FormattingEdits(Analysis(kTestUri, "plsc 1\nrule"), 0, 1).is_null());
+}
+
 }  // namespace plsc::lsp

@@ -1,6 +1,8 @@
 #include "runtime/lsp/line_table.h"
 
 #include <catch2/catch.hpp>
+#include <random>
+#include <string>
 #include <vector>
 
 namespace plsc::lsp {
@@ -62,6 +64,35 @@ TEST_CASE("An empty text has one line", "[lsp]") {
   const LineTable lines("");
   CHECK(lines.line_count() == 1);
   CHECK(lines.RangeOf({0, 0}) == PlaceRange{});
+}
+
+// Counted character by character from the line's beginning.
+TEST_CASE("Places on long lines are those of short ones", "[lsp]") {
+  constexpr std::uint32_t kSeed = 20261130;
+  CAPTURE(kSeed);
+  std::mt19937 random(kSeed);
+  const std::vector<std::string> pieces = {
+      "a", "bc ", "\t", "\xC3\xA9", "\xE2\x82\xAC", "\xF0\x9F\xA6\x8E", "\x80"};
+  std::string text;
+  while (text.size() < 20000) {
+    text += pieces[random() % pieces.size()];
+    if (random() % 4000 == 0) text += random() % 2 == 0 ? "\n" : "\r\n";
+  }
+  const LineTable lines(text);
+  for (int i = 0; i < 2000; ++i) {
+    const std::uint32_t offset = random() % text.size();
+    if (text[offset] == '\n') continue;
+    const std::size_t newline =
+        offset == 0 ? std::string::npos : text.rfind('\n', offset - 1);
+    const std::size_t begin = newline == std::string::npos ? 0 : newline + 1;
+    const Place place = lines.PlaceAt(offset);
+    REQUIRE(place.character == Utf16Length(text.substr(begin, offset - begin)));
+    // Only a character's beginning comes back.
+    const bool is_inside =
+        (static_cast<unsigned char>(text[offset]) & 0xC0U) == 0x80U;
+    if (!is_inside && text[offset] != '\r')
+      REQUIRE(lines.OffsetAt(place) == offset);
+  }
 }
 
 }  // namespace plsc::lsp

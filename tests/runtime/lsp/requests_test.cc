@@ -20,19 +20,20 @@ TEST_CASE("Every request answers about an open document", "[lsp]") {
   for (const char* method :
        {"textDocument/hover", "textDocument/definition",
         "textDocument/documentHighlight", "textDocument/references",
-        "textDocument/completion", "textDocument/prepareRename"}) {
+        "textDocument/completion", "textDocument/prepareRename",
+        "textDocument/signatureHelp"}) {
     INFO(method);
     CHECK_FALSE(editor.Ask(method, editor.HereAt(offset)).contains("error"));
   }
   for (const char* method :
        {"textDocument/documentSymbol", "textDocument/formatting",
-        "textDocument/semanticTokens/full"}) {
+        "textDocument/foldingRange", "textDocument/semanticTokens/full"}) {
     INFO(method);
     CHECK_FALSE(editor.Ask(method, editor.Here()).contains("error"));
   }
   for (const char* method :
        {"textDocument/codeAction", "textDocument/inlayHint",
-        "textDocument/semanticTokens/range"}) {
+        "textDocument/rangeFormatting", "textDocument/semanticTokens/range"}) {
     INFO(method);
     CHECK_FALSE(editor.Ask(method, editor.Whole()).contains("error"));
   }

@@ -9,6 +9,7 @@
 #include <limits>
 #include <string>
 
+#include "runtime/store/make_database.h"
 #include "tests/runtime/store/stored_run.h"
 
 namespace plsc {
@@ -19,9 +20,9 @@ using test::Scratch;
 
 /// With a table t of two columns.
 void Make(Database& database, const std::string& path) {
-  REQUIRE(database.Open(path, Database::Mode::kCreate) == std::nullopt);
-  database.Run("PRAGMA journal_mode = WAL; CREATE TABLE t(a, b)");
-  REQUIRE(database.TakeFailure() == std::nullopt);
+  const auto fill = [](Database& made) { made.Run("CREATE TABLE t(a, b)"); };
+  REQUIRE(MakeDatabase(path, fill) == std::nullopt);
+  REQUIRE(database.Open(path, Database::Mode::kWrite) == std::nullopt);
 }
 
 std::int64_t Count(Database& database) {

@@ -45,7 +45,7 @@ TEST_CASE("Lines have the run, everybody and every generation", "[export]") {
   REQUIRE(lines.objects.size() == 1 + 32 + 5);
   const json& head = lines.objects[0]["run"];
   CHECK(head["name"] == "stored");
-  CHECK(head["seed"] == 0xfedcba9876543210U);
+  CHECK(head["seed"] == "18364758544493064720");
   CHECK(head["versions"]["machine"] == ThisProgram().machine);
   const auto read =
       ParseExperiment(Source("run", head["experiment"].get<std::string>()));
@@ -56,11 +56,18 @@ TEST_CASE("Lines have the run, everybody and every generation", "[export]") {
     const Individual& individual = run.individuals[i];
     CHECK(one["id"] == i + 1);
     CHECK(one["parents"] == json(individual.heritage.parents));
+    if (individual.heritage.mutation)
+      CHECK(one["mutated_rule"] == individual.heritage.mutation->rule + 1);
     CHECK(one["genotype"] == Print(individual.genotype));
     REQUIRE(one["seasons"].size() == 2);
     for (std::size_t k = 0; k < 2; ++k) {
       const SeasonResult& season = individual.evaluation.seasons[k];
       CHECK(one["seasons"][k]["season"] == season.season);
+      if (!season.sensed.empty()) {
+        CHECK(one["seasons"][k]["sensed"]["inclined"]["value"] ==
+              (season.sensed[0].value == "True"));
+        CHECK(one["seasons"][k]["sensed"]["heat"]["value"].is_number());
+      }
       if (season.fitness)
         CHECK(one["seasons"][k]["fitness"] == *season.fitness);
       else
@@ -89,8 +96,8 @@ TEST_CASE("What a damaged run still has is written", "[export]") {
   }
   const Lines lines = Export(scratch / "run");
   CHECK(lines.failure == "'" + (scratch / "run") +
-                             "' is damaged: the evaluation of robot 7 cannot "
-                             "be read");
+                             "' is damaged: the evaluation of robot 7 is not "
+                             "what it was");
   CHECK(lines.objects.size() == 1 + 31 + 5);
   CHECK(Export(scratch / "none").failure.find("No such file") !=
         std::string::npos);

@@ -38,7 +38,7 @@ std::string GoOn(RunStore& store) {
     std::vector<Individual> born;
     for (const int id : run.births[g])
       born.push_back(run.individuals[static_cast<std::size_t>(id - 1)]);
-    if (auto failure = store.OnBirths(born)) return *failure;
+    if (auto failure = store.OnBirths(born, {})) return *failure;
     for (const Individual& one : born) {
       if (saved->evaluated.contains(one.id)) continue;
       if (auto failure = store.OnEvaluated(

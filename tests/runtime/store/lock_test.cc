@@ -7,6 +7,8 @@
 
 #include <array>
 #include <catch2/catch.hpp>
+#include <cstdlib>
+#include <filesystem>
 #include <string>
 
 #include "tests/runtime/store/stored_run.h"
@@ -57,7 +59,7 @@ TEST_CASE("The second process on a run is refused by name", "[lock]") {
   const std::string run = scratch / "run";
   test::WriteRun(run, 1);
   Holder holder(run);
-  const std::string who = "process " + std::to_string(holder.pid()) + " on ";
+  const std::string who = "process " + std::to_string(holder.pid());
   RunLock lock;
   const auto failure = lock.Take(run);
   REQUIRE(failure);
@@ -83,6 +85,7 @@ TEST_CASE("A child of who holds a run's lock neither has it nor drops it",
           "[lock]") {
   const test::Scratch scratch;
   const std::string run = scratch / "run";
+  test::WriteRun(run, 1);
   RunLock lock;
   REQUIRE(lock.Take(run) == std::nullopt);
   const pid_t child = fork();
@@ -97,7 +100,7 @@ TEST_CASE("A child of who holds a run's lock neither has it nor drops it",
   int status = 0;
   REQUIRE(waitpid(child, &status, 0) == child);
   CHECK(WEXITSTATUS(status) == 0);
-  CHECK(scratch.Files() == std::vector<std::string>{"run.lock"});
+  CHECK(scratch.Files() == std::vector<std::string>{"run"});
   const pid_t second = fork();
   REQUIRE(second >= 0);
   if (second == 0) {
@@ -116,8 +119,7 @@ TEST_CASE("A child that ends in good order leaves its parent's run alone",
   RunStore store;
   REQUIRE(store.Create(run, test::StoredExperiment()) == std::nullopt);
   REQUIRE(test::Show(recorder, store, 0, 1) == "");
-  const std::vector<std::string> files = {"run", "run-shm", "run-wal",
-                                          "run.lock"};
+  const std::vector<std::string> files = {"run", "run-shm", "run-wal"};
   CHECK(scratch.Files() == files);
   const std::string bytes = test::ReadBytes(run);
   const pid_t child = fork();
@@ -136,11 +138,78 @@ TEST_CASE("A child that ends in good order leaves its parent's run alone",
   CHECK(scratch.Files() == std::vector<std::string>{"run"});
 }
 
-TEST_CASE("A lock that cannot be made says why", "[lock]") {
+TEST_CASE("A run is locked under all its names", "[lock]") {
+  const test::Scratch scratch;
+  const std::string run = scratch / "run";
+  test::WriteRun(run, 1);
+  std::filesystem::create_symlink("run", scratch / "soft");
+  std::filesystem::create_hard_link(run, scratch / "hard");
+  const std::string bytes = test::ReadBytes(run);
+  Holder holder(run);
+  const std::string who = "process " + std::to_string(holder.pid());
+  for (const char* name : {"soft", "hard"}) {
+    CAPTURE(name);
+    RunLock lock;
+    CHECK(lock.Take(scratch / name).value_or("").find("in use by " + who) !=
+          std::string::npos);
+    CHECK(WhoWorksOn(scratch / name) == who);
+    RunStore store;
+    CHECK(store.Open(scratch / name));
+  }
+  holder.Kill();
+  RunStore store;
+  // Each of two names would have its own journal.
+  CHECK(store.Open(scratch / "hard").value_or("").find("2 names") !=
+        std::string::npos);
+  CHECK(store.Open(run).value_or("").find("2 names") != std::string::npos);
+  CHECK(test::ReadBytes(run) == bytes);
+  std::filesystem::remove(scratch / "hard");
+  // A symbolic link is the same file, with the same journal.
+  REQUIRE(store.Open(scratch / "soft") == std::nullopt);
+  CHECK(scratch.Files() ==
+        std::vector<std::string>{"run", "run-shm", "run-wal", "soft"});
+  CHECK(store.Close() == std::nullopt);
+}
+
+TEST_CASE("Whoever asks for the lock leaves SQLite its own", "[lock]") {
+  const test::Scratch scratch;
+  const std::string run = scratch / "run";
+  const test::Recorder recorder = test::RecordRun(test::StoredExperiment());
+  RunStore store;
+  REQUIRE(store.Create(run, test::StoredExperiment()) == std::nullopt);
+  REQUIRE(store.BeginSession({"2026-03-01T12:00:00Z", 1}) == std::nullopt);
+  REQUIRE(test::Show(recorder, store, 0, 1) == "");
+  // A second one in this process, and questions.
+  RunStore second;
+  CHECK(second.Open(run).value_or("").find("in use by process " +
+                                           std::to_string(getpid()) + " on ") !=
+        std::string::npos);
+  CHECK(WhoWorksOn(run));
+  // The last who closes a database deletes its journal; another process that
+  // found our locks gone would take itself for that.
+  const pid_t child = fork();
+  REQUIRE(child >= 0);
+  if (child == 0) {
+    const std::string command = "sqlite3 '" + run +
+                                "' 'SELECT count(*) FROM individual' "
+                                ">/dev/null 2>&1";
+    _exit(std::system(command.c_str()) == 0 ? 0 : 1);
+  }
+  int status = 0;
+  REQUIRE(waitpid(child, &status, 0) == child);
+  if (WEXITSTATUS(status) != 0) WARN("no sqlite3 to ask; nothing was tested");
+  CHECK(scratch.Files() ==
+        std::vector<std::string>{"run", "run-shm", "run-wal"});
+  CHECK(store.Load()->generations == 1);
+  CHECK(store.Close() == std::nullopt);
+  CHECK(scratch.Files() == std::vector<std::string>{"run"});
+}
+
+TEST_CASE("What cannot be locked says why", "[lock]") {
   const test::Scratch scratch;
   RunLock lock;
-  CHECK(lock.Take(scratch / "none/run") == "cannot create '" +
-                                               (scratch / "none/run.lock") +
+  CHECK(lock.Take(scratch / "none/run") == "cannot open '" +
+                                               (scratch / "none/run") +
                                                "': No such file or directory");
 }
 

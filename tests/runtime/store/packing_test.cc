@@ -11,10 +11,8 @@ namespace plsc {
 TEST_CASE("Packed bodies and brains come back, in C++ and in SQL",
           "[packing]") {
   const test::Recorder run = test::RecordRun(test::StoredExperiment());
-  const test::Scratch scratch;
   Database database;
-  REQUIRE(database.Open(scratch / "empty", Database::Mode::kCreate) ==
-          std::nullopt);
+  REQUIRE(database.Open("", Database::Mode::kMemory) == std::nullopt);
   Statement sql(database, "SELECT " + UnpackSql("?1"));
   std::size_t packed_size = 0, size = 0;
   for (const auto& evidence : run.evidence)

@@ -205,7 +205,7 @@ TEST_CASE("Who is born otherwise than before does not go on", "[run_store]") {
   std::vector<Individual> born(run.individuals.begin() + 8,
                                run.individuals.begin() + 14);
   const std::string before = Dump(scratch / "run");
-  CHECK(store.OnBirths(born) == std::nullopt);
+  CHECK(store.OnBirths(born, {}) == std::nullopt);
   SECTION("another genotype") {
     born[2].genotype.rules.front().production.push_back(
         born[2].genotype.rules.front().production.back());
@@ -220,7 +220,7 @@ TEST_CASE("Who is born otherwise than before does not go on", "[run_store]") {
     born[2].generation = 3;
   }
   born[2].heritage.senses = {{"inclined", "True"}};
-  const auto failure = store.OnBirths(born);
+  const auto failure = store.OnBirths(born, {});
   REQUIRE(failure);
   CHECK(failure->find("robot 11 of") == 0);
   CHECK(failure->find("another version of the program") != std::string::npos);
@@ -256,7 +256,7 @@ TEST_CASE("What no worker could simulate is no simulation", "[run_store]") {
                                TheRun().individuals.begin() + 8);
   Individual& one = born[0];
   std::vector<SeasonEvidence> evidence = TheRun().evidence[0];
-  REQUIRE(store.OnBirths(born) == std::nullopt);
+  REQUIRE(store.OnBirths(born, {}) == std::nullopt);
   for (std::size_t i = 0; i < evidence.size(); ++i) {
     SeasonResult& result = one.evaluation.seasons[i];
     result.outcome = evidence[i].simulated.outcome = Outcome::kWorkerDied;

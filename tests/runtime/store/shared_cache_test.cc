@@ -9,6 +9,10 @@
 #include <fstream>
 #include <string>
 
+#include "runtime/evolve/simulated_frame.h"
+#include "runtime/store/database.h"
+#include "tests/runtime/store/stored_run.h"
+
 namespace plsc {
 namespace {
 
@@ -110,6 +114,187 @@ TEST_CASE("A cache that cannot be written any more only warns",
   REQUIRE(cache.warning());
   CHECK(cache.warning()->find("not used any more") != std::string::npos);
   CHECK_FALSE(cache.Find({1, 2}));
+}
+
+/// Of many values, so that each is told from the others.
+Simulated Numbered(int number) {
+  Simulated one = Example();
+  one.begin = number;
+  one.behaviour.head_balance = 1.0 / (number + 1);
+  one.state_hash = static_cast<std::uint64_t>(number) * 0x9e3779b97f4a7c15;
+  one.reason = std::string(static_cast<std::size_t>(number % 7), 'r');
+  return one;
+}
+
+Key KeyOfNumber(int number) {
+  return KeyOf("simulation " + std::to_string(number));
+}
+
+constexpr int kEntries = 12;
+
+/// A cache's file with the entries 0 to kEntries - 1.
+std::string FilledCache(const std::string& path) {
+  {
+    SharedCache cache;
+    REQUIRE_FALSE(cache.Open(path));
+    for (int i = 0; i < kEntries; ++i)
+      REQUIRE_FALSE(cache.Add(KeyOfNumber(i), Numbered(i)));
+  }
+  return test::ReadBytes(path);
+}
+
+/// What a damaged cache is used for: whatever is found is what was added.
+void UseDamaged(const std::string& path) {
+  SharedCache cache;
+  if (cache.Open(path)) return;  // refused with a reason
+  for (int i = 0; i < kEntries; ++i) {
+    const std::string added = Pack({Numbered(i)});
+    const auto found = cache.Find(KeyOfNumber(i));
+    if (found) {
+      CHECK(Pack({*found}) == added);
+      continue;
+    }
+    // As a run does with what it has simulated then.
+    CHECK_FALSE(cache.Add(KeyOfNumber(i), Numbered(i)));
+    const auto again = cache.Find(KeyOfNumber(i));
+    if (again) CHECK(Pack({*again}) == added);
+  }
+}
+
+std::string Flipped(std::string bytes, std::size_t bit) {
+  char& byte = bytes[bit / 8];
+  byte = static_cast<char>(byte ^ (1 << (bit % 8)));
+  return bytes;
+}
+
+void FlipBits(std::size_t every) {
+  const Scratch scratch;
+  const std::string whole = FilledCache(scratch.path());
+  for (std::size_t bit = 0; bit < 8 * whole.size(); bit += every) {
+    CAPTURE(bit);
+    test::WriteBytes(scratch.path(), Flipped(whole, bit));
+    UseDamaged(scratch.path());
+  }
+}
+
+TEST_CASE("A flipped bit never makes a wrong simulation", "[shared_cache]") {
+  FlipBits(661);  // prime: every bit of a byte in turn
+}
+
+TEST_CASE("Nor does any other bit", "[shared_cache][slow]") {
+  FlipBits(17);
+}
+
+TEST_CASE("A damaged entry is dropped, told and simulated anew",
+          "[shared_cache]") {
+  const Scratch scratch;
+  std::string bytes = FilledCache(scratch.path());
+  // The last digits of an entry's value, whatever they are.
+  const std::size_t place = bytes.find(Hex(KeyOfNumber(3))) + 300;
+  REQUIRE(place < bytes.size());
+  bytes[place] = bytes[place] == '0' ? '1' : '0';
+  test::WriteBytes(scratch.path(), bytes);
+  SharedCache cache;
+  REQUIRE_FALSE(cache.Open(scratch.path()));
+  CHECK(cache.Find(KeyOfNumber(2)));
+  CHECK_FALSE(cache.warning());
+  CHECK_FALSE(cache.Find(KeyOfNumber(3)));
+  CHECK_FALSE(cache.Find(KeyOfNumber(3)));  // gone, so not told again
+  REQUIRE(cache.warning());
+  CHECK(*cache.warning() == "an entry of the cache '" + scratch.path() +
+                                "' was damaged, dropped and simulated anew");
+  CHECK_FALSE(cache.Add(KeyOfNumber(3), Numbered(3)));
+  CHECK(Pack({cache.Find(KeyOfNumber(3)).value()}) == Pack({Numbered(3)}));
+}
+
+TEST_CASE("An entry under another's key, or another program's, is no entry",
+          "[shared_cache]") {
+  const Scratch scratch;
+  FilledCache(scratch.path());
+  const auto change = [&](const std::string& sql) {
+    Database database;
+    REQUIRE_FALSE(database.Open(scratch.path(), Database::Mode::kWrite));
+    database.Run("PRAGMA foreign_keys = OFF;" + sql);
+    REQUIRE_FALSE(database.TakeFailure());
+  };
+  change("DELETE FROM simulation WHERE key = '" + Hex(KeyOfNumber(1)) +
+         "'; UPDATE simulation SET key = '" + Hex(KeyOfNumber(1)) +
+         "' WHERE key = '" + Hex(KeyOfNumber(2)) +
+         "'; INSERT INTO engine VALUES(9, 'theirs');"
+         "UPDATE simulation SET engine = 9 WHERE key = '" +
+         Hex(KeyOfNumber(4)) + "'");
+  SharedCache ours;
+  REQUIRE_FALSE(ours.Open(scratch.path()));
+  CHECK_FALSE(ours.Find(KeyOfNumber(1)));
+  CHECK_FALSE(ours.Find(KeyOfNumber(4)));
+  SharedCache theirs;
+  REQUIRE_FALSE(theirs.Open(scratch.path(), "theirs"));
+  CHECK_FALSE(theirs.Find(KeyOfNumber(4)));
+  CHECK(ours.Find(KeyOfNumber(5)));
+}
+
+TEST_CASE("A cache without checksums is refused with what to do",
+          "[shared_cache]") {
+  const Scratch scratch;
+  FilledCache(scratch.path());
+  const auto failure_of = [&](int format) {
+    {
+      Database database;
+      REQUIRE_FALSE(database.Open(scratch.path(), Database::Mode::kWrite));
+      database.Run("PRAGMA user_version = " + std::to_string(format));
+      REQUIRE_FALSE(database.TakeFailure());
+    }
+    const std::string before = test::ReadBytes(scratch.path());
+    const std::string failure = SharedCache().Open(scratch.path()).value_or("");
+    CHECK(test::ReadBytes(scratch.path()) == before);
+    return failure;
+  };
+  CHECK(failure_of(1).find("delete it, or name another file") !=
+        std::string::npos);
+  CHECK(failure_of(3).find("made by a newer plsc") != std::string::npos);
+}
+
+/// What came of a run, to be compared.
+std::string ResultsOf(SimulationCache* cache) {
+  test::Recorder recorder;
+  EvolveOptions options;
+  options.jobs = 1;
+  options.simulate = test::Look;
+  options.observers = {&recorder};
+  if (cache != nullptr) options.caches = {cache};
+  REQUIRE(Evolve(test::SmallExperiment(), options).failure.empty());
+  std::string text;
+  for (const auto& evidence : recorder.evidence)
+    for (const SeasonEvidence& season : evidence)
+      text += Hex(season.simulation) + Pack({season.simulated});
+  return text;
+}
+
+TEST_CASE("A run with a damaged cache ends as one without a cache",
+          "[shared_cache]") {
+  const Scratch scratch;
+  const std::string expected = ResultsOf(nullptr);
+  {
+    SharedCache cache;
+    REQUIRE_FALSE(cache.Open(scratch.path()));
+    REQUIRE(ResultsOf(&cache) == expected);
+  }
+  const std::string whole = test::ReadBytes(scratch.path());
+  int told = 0;
+  // Bits spread over the file, each time hundreds of them in its entries.
+  for (std::size_t first = 0; first < 12; ++first) {
+    CAPTURE(first);
+    std::string bytes = whole;
+    for (std::size_t bit = 8 * 12288 + 311 * first; bit < 8 * bytes.size();
+         bit += 8 * (900 + 31 * first))
+      bytes = Flipped(std::move(bytes), bit);
+    test::WriteBytes(scratch.path(), bytes);
+    SharedCache cache;
+    if (cache.Open(scratch.path())) continue;
+    CHECK(ResultsOf(&cache) == expected);
+    told += cache.warning() ? 1 : 0;
+  }
+  CHECK(told > 0);
 }
 
 }  // namespace

@@ -96,7 +96,7 @@ std::string Show(const Recorder& recorder, RunStore& store, int order,
       born.push_back(recorder.individuals[static_cast<std::size_t>(id - 1)]);
       born.back().evaluation = {};
     }
-    failure = store.OnBirths(born);
+    failure = store.OnBirths(born, {});
     const std::size_t count = is_last ? ids.size() / 2 : ids.size();
     for (const std::size_t i : Order(count, order)) {
       if (failure) break;

@@ -1,5 +1,7 @@
 #include "runtime/study/study.h"
 
+#include <fmt/format.h>
+
 #include <catch2/catch.hpp>
 #include <set>
 #include <string>
@@ -163,7 +165,7 @@ TEST_CASE("Mistakes in a study are shown where they are, and once", "[study]") {
       {"no repetitions", "repetitions: 0\nexperiments: {a: {}}\n", {"found 0"}},
       {"a newer format",
        "plsc_study: 2\nexperiments: {a: {}}\n",
-       {"expected a whole number of 1 to 1, found 2"}},
+       {"expected 1, found 2"}},
       {"not YAML", "experiments: {\n", {"this is not YAML"}}};
   for (const Row& row : rows) {
     DYNAMIC_SECTION(row.why) {
@@ -218,6 +220,26 @@ TEST_CASE("A run's experiment has the run's name and seed", "[study]") {
   CHECK(experiment.genotype.encoding == Encoding::kBaseline);
   study.name.clear();
   CHECK(ExperimentOf(study, {1, 2}).name == "baseline/2");
+}
+
+TEST_CASE("A study of too many runs is refused", "[study]") {
+  const auto first = [](int experiments, const std::string& head) {
+    std::string text = head + "experiments:\n";
+    for (int i = 0; i < experiments; ++i)
+      text += "  e" + std::to_string(i) + ": {}\n";
+    const Source source("test.yaml", "plsc_study: 1\n" + text);
+    const auto study = ParseStudy(source);
+    return study ? "" : study.diagnostics()[0].message;
+  };
+  CHECK(first(20'000, "repetitions: 10000\n") ==
+        "a study has at most 1000000 runs; 20000 experiments of 10000 "
+        "repetitions are 200000000");
+  CHECK(first(100, "repetitions: 10000\n").empty());
+  // Aliases: a short text, and more than memory holds.
+  std::string base = "base:\n  a0: &a0 [1, 1]\n";
+  for (int i = 1; i <= 40; ++i)
+    base += fmt::format("  a{0}: &a{0} [*a{1}, *a{1}]\n", i, i - 1);
+  CHECK(first(2, base).find("share a base") != std::string::npos);
 }
 
 }  // namespace plsc

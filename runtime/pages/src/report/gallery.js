@@ -11,6 +11,13 @@ const picture = (season, label) =>
     ? element("img", { src: `data:image/svg+xml,${encodeURIComponent(season.svg)}`, alt: `body of ${label} in ${season.season}` })
     : element("p", { class: "none" }, season.size ? "not drawn: this version develops another body" : "no robot");
 
+// As a clause writes it: "inclined True, heat 30.5".
+const words = { true: "True", false: "False" };
+const sensedText = (sensed) =>
+  Object.entries(sensed ?? {})
+    .map(([state, value]) => `${state} ${words[value] ?? value}`)
+    .join(", ");
+
 const seasonFigure = (season, label) =>
   element(
     "figure",
@@ -25,7 +32,7 @@ const seasonFigure = (season, label) =>
       season.balance === null ? null : `balance ${number(season.balance)}, `,
       `size ${season.size}`,
       changes[season.change] ? [element("br"), changes[season.change]] : null,
-      season.sensed ? [element("br"), element("span", { class: "quiet" }, `senses ${season.sensed}`)] : null,
+      season.sensed ? [element("br"), element("span", { class: "quiet" }, `senses ${sensedText(season.sensed)}`)] : null,
     ),
   );
 
@@ -58,7 +65,7 @@ const card = (run) =>
 
 const csvRows = (runs) =>
   runs.flatMap((run) =>
-    run.best.seasons.map(({ season, outcome, speed, balance, size, change, sensed }) => ({ run: run.label, robot: run.best.id, born: run.best.born, season, speed_cm_s: speed, balance, size, change, sensed, outcome })),
+    run.best.seasons.map(({ season, outcome, speed, balance, size, change, sensed }) => ({ run: run.label, robot: run.best.id, born: run.best.born, season, speed_cm_s: speed, balance, size, change, sensed: sensedText(sensed), outcome })),
   );
 
 export function gallerySection(data) {

@@ -79,6 +79,11 @@ function totals(runs) {
   );
 }
 
+const verifiedText = ({ verified }) =>
+  verified
+    ? "All results were compared with their checksums, and are what was written. (Hosts and times of sessions have no checksums.)"
+    : "Not all results were compared with their checksums: only the best robots, the rules of the last populations and what the runs are. To compare all, add --verify to plsc report.";
+
 function versions(runs) {
   const texts = new Map();
   for (const run of runs) {
@@ -123,6 +128,7 @@ export function provenanceSection(data) {
     element("h2", {}, "Provenance"),
     element("p", {}, totals(read)),
     versions(read),
+    element("p", { id: "verified" }, verifiedText(data)),
     table(columns, data.runs.map(rowOf), { label: "runs" }),
     csvButton("the runs", "runs", data.runs.map(csvRow)),
     data.constants.length ? constants(data) : null,

@@ -1,0 +1,156 @@
+#include "runtime/store/row_checks.h"
+
+#include <fmt/format.h>
+
+#include <map>
+
+namespace plsc {
+
+namespace {
+
+using Failure = RowChecks::Failure;
+
+std::int64_t Single(Database& database, const std::string& sql) {
+  Statement statement(database, sql);
+  return statement.With().Next() ? statement.TakeInteger() : 0;
+}
+
+}  // namespace
+
+IdSpan IdsBornIn(const Experiment& experiment, int generation) {
+  if (generation == 0) return {1, experiment.population};
+  const int first =
+      experiment.population + (generation - 1) * experiment.offspring + 1;
+  return {first, first + experiment.offspring - 1};
+}
+
+RowChecks::RowChecks(Database& database)
+    : database_(database),
+      sums_(database),
+      individual_(database,
+                  "SELECT generation, checksum FROM individual WHERE id = ?"),
+      evaluations_(database,
+                   "SELECT season, checksum FROM evaluation "
+                   "WHERE individual = ? ORDER BY season"),
+      generation_(database, "SELECT checksum FROM generation WHERE number = ?"),
+      // Two tables, so that damage to one page cannot hide it.
+      completed_(database,
+                 "SELECT (SELECT count(*) FROM generation), "
+                 "(SELECT ifnull(max(number), -1) + 1 FROM generation), "
+                 "(SELECT ifnull(max(generation), -1) + 1 FROM member)") {}
+
+Failure RowChecks::Wrong(const std::string& what) {
+  if (database_.has_failed()) return database_.TakeFailure();
+  return fmt::format("'{}' is damaged: {}", database_.path(), what);
+}
+
+Failure RowChecks::Run() {
+  Statement run(database_, "SELECT checksum FROM run");
+  if (!run.With().Next()) return Wrong("it does not say what the run is");
+  const std::int64_t sum = run.TakeInteger();
+  run.Run();
+  if (sum != sums_.OfRun()) return Wrong("what the run is cannot be trusted");
+  return database_.TakeFailure();
+}
+
+Failure RowChecks::Birth(int id, std::optional<int> generation) {
+  if (!individual_.With(id).Next())
+    return Wrong(fmt::format("robot {} is missing", id));
+  const int born = individual_.TakeInt();
+  const std::int64_t sum = individual_.TakeInteger();
+  individual_.Run();
+  if (born != generation.value_or(born) || sum != sums_.OfIndividual(id))
+    return Wrong(fmt::format("robot {} is not as it was born", id));
+  return database_.TakeFailure();
+}
+
+Failure RowChecks::Evaluation(int id, int& seasons) {
+  std::map<int, std::int64_t> sums;
+  evaluations_.With(id);
+  while (evaluations_.Next()) {
+    const int season = evaluations_.TakeInt();
+    sums[season] = evaluations_.TakeInteger();
+  }
+  seasons = static_cast<int>(sums.size());
+  for (const auto& [season, sum] : sums)
+    if (sum != sums_.OfEvaluation(id, season))
+      return Wrong(
+          fmt::format("the evaluation of robot {} is not what it was", id));
+  return database_.TakeFailure();
+}
+
+Failure RowChecks::Generation(int number) {
+  if (!generation_.With(number).Next())
+    return Wrong(fmt::format("generation {} is missing", number));
+  const std::int64_t sum = generation_.TakeInteger();
+  generation_.Run();
+  if (sum != sums_.OfGeneration(number))
+    return Wrong(fmt::format("generation {} is not what it was", number));
+  return database_.TakeFailure();
+}
+
+Failure RowChecks::Robot(const Experiment& experiment, int id) {
+  const bool is_there = individual_.With(id).Next();
+  individual_.Run();
+  if (!is_there) {
+    if (Failure failure = Unborn(experiment, id)) return failure;
+    return fmt::format("'{}' has no robot {}", database_.path(), id);
+  }
+  if (Failure failure = Birth(id)) return failure;
+  int seasons = 0;
+  if (Failure failure = Evaluation(id, seasons)) return failure;
+  if (seasons == 0) return Unevaluated(experiment, id);
+  if (seasons != static_cast<int>(experiment.scenario.seasons.size()))
+    return Wrong(fmt::format("robot {} lacks an evaluation", id));
+  return std::nullopt;
+}
+
+Failure RowChecks::Completed(const Experiment& experiment) {
+  if (!completed_.With().Next()) return database_.TakeFailure();
+  const std::int64_t count = completed_.TakeInteger();
+  const std::int64_t from_numbers = completed_.TakeInteger();
+  const std::int64_t from_members = completed_.TakeInteger();
+  completed_.Run();
+  if (count != from_numbers || count != from_members ||
+      count > experiment.generations)
+    return Wrong("a generation is missing");
+  return database_.TakeFailure();
+}
+
+Failure RowChecks::Unborn(const Experiment& experiment, int id) {
+  if (Failure failure = Completed(experiment)) return failure;
+  const int completed =
+      static_cast<int>(Single(database_, "SELECT count(*) FROM generation"));
+  const int next = completed < experiment.generations ? completed : -1;
+  const int last =
+      completed > 0 ? IdsBornIn(experiment, completed - 1).last : 0;
+  const bool is_of_completed = id >= 1 && id <= last;
+  // Of a generation under way all are born, or nobody.
+  const IdSpan born = next < 0 ? IdSpan{} : IdsBornIn(experiment, next);
+  const bool is_of_next = next >= 0 && id >= born.first && id <= born.last;
+  if (is_of_completed ||
+      (is_of_next &&
+       Single(database_, "SELECT ifnull(max(id), 0) FROM individual") > last))
+    return Wrong(fmt::format("robot {} is missing", id));
+  return is_of_next ? Pages("individual") : database_.TakeFailure();
+}
+
+Failure RowChecks::Unevaluated(const Experiment& experiment, int id) {
+  if (Failure failure = Completed(experiment)) return failure;
+  const int completed =
+      static_cast<int>(Single(database_, "SELECT count(*) FROM generation"));
+  if (completed > 0 && id <= IdsBornIn(experiment, completed - 1).last)
+    return Wrong(fmt::format("robot {} lacks an evaluation", id));
+  return Pages("evaluation");
+}
+
+Failure RowChecks::Pages(const char* table) {
+  Statement check(database_, fmt::format("PRAGMA integrity_check({})", table));
+  if (!check.With().Next()) return database_.TakeFailure();
+  const std::string said = check.TakeText();
+  check.Run();
+  if (said != "ok") return Wrong(said.substr(0, said.find('\n')));
+  return database_.TakeFailure();
+}
+
+}  // namespace plsc
