@@ -74,6 +74,7 @@ const std::vector<std::string> kLines = {
     "test PATH:r.pls --format json",
     "test PATH:r.pls -o --output:new.txt",
     "random --seed 1 -o --output:new.pls",
+    "random --experiment --experiment:e.yaml -o --output:new.pls",
     "import FILE:old.txt -o --output:new.pls",
     "mutate FILE:r.pls --seed 1 --experiment --experiment:e.yaml -o "
     "--output:new.pls",
@@ -82,6 +83,7 @@ const std::vector<std::string> kLines = {
     "-o --output:new.pls",
     "trim FILE:r.pls -o --output:new.pls",
     "trim FILE:r.pls --format json",
+    "trim FILE:r.pls --scenario --scenario:s.yaml -o --output:new.pls",
     "stats FILE:r.pls --format json",
     "hash FILE:r.pls",
     "man --all --all:new",
