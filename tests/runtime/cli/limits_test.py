@@ -89,7 +89,7 @@ COMMANDS = [
     ["test", "robot.pls", "--update"],
     ["fmt", "loose.pls"],
     ["fix", "misspelt.pls"],
-    ["man", "-o", "pages"],
+    ["man", "--all", "pages"],
 ]
 
 
