@@ -2,11 +2,14 @@
 # installed. Used by tests/run.sh, examples/quickstart.sh and .ci/run, so that
 # each works on a fresh machine.
 
-# What building and testing plsc needs; docs/dependencies.md says why each.
-PLSC_PACKAGES="g++ cmake ninja-build pkg-config gzip tao-pegtl-dev libfmt-dev \
-libeigen3-dev libode-dev catch2 libyaml-cpp-dev libcli11-dev \
-nlohmann-json3-dev librandom123-dev libsqlite3-dev libxxhash-dev \
-libopenmpi-dev openmpi-bin librsvg2-2 fonts-dejavu-core r-mathlib python3"
+# What building plsc alone needs; docs/dependencies.md says why each. CI recipes
+# of docs/testing-robots.md install these.
+PLSC_BUILD_PACKAGES="g++ cmake ninja-build pkg-config tao-pegtl-dev libfmt-dev \
+libeigen3-dev libode-dev libyaml-cpp-dev libcli11-dev nlohmann-json3-dev \
+librandom123-dev libsqlite3-dev libxxhash-dev r-mathlib"
+# And what all of it and its tests need.
+PLSC_PACKAGES="$PLSC_BUILD_PACKAGES gzip catch2 libopenmpi-dev openmpi-bin \
+librsvg2-2 fonts-dejavu-core python3"
 
 # Pages are bundled with npm, which a Node.js from elsewhere than Debian brings
 # itself.

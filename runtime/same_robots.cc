@@ -21,7 +21,7 @@ std::optional<Key> KeyIn(const Genotype& genotype, const ActiveRules& active) {
 
 std::optional<std::vector<ComparedRegime>> CompareRobots(
     const Genotype& before, const Genotype& after,
-    const std::vector<NamedEnvironment>& named) {
+    const std::vector<NamedEnvironment>& named, Compared which) {
   Genotype both = before;
   both.rules.insert(both.rules.end(), after.rules.begin(), after.rules.end());
   const StateSpace space(both);
@@ -32,18 +32,21 @@ std::optional<std::vector<ComparedRegime>> CompareRobots(
     const Environment environment{space.At(regime.environment)};
     const ActiveRules active_before = Regulate(before, environment);
     const ActiveRules active_after = Regulate(after, environment);
-    const auto key_before = KeyIn(before, active_before);
-    const auto key_after = KeyIn(after, active_after);
-    if (!key_before || !key_after) return std::nullopt;
     ComparedRegime one{space.Describe(regime.environment, before.states),
                        regime.count,
                        {},
-                       *key_before,
-                       *key_after};
+                       {},
+                       {}};
     for (const NamedEnvironment& other : named)
       if (Regulate(before, other.environment).rules == active_before.rules &&
           Regulate(after, other.environment).rules == active_after.rules)
         one.named.push_back(other.name);
+    if (which == Compared::kNamed && one.named.empty()) continue;
+    const auto key_before = KeyIn(before, active_before);
+    const auto key_after = KeyIn(after, active_after);
+    if (!key_before || !key_after) return std::nullopt;
+    one.before = *key_before;
+    one.after = *key_after;
     compared.push_back(std::move(one));
   }
   return compared;

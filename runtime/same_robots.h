@@ -4,6 +4,7 @@
 // proof that an edit changed nothing. Every environment that a clause of
 // either tells apart is developed with both.
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,12 +23,18 @@ struct ComparedRegime {
   Key after;
 };
 
+enum class Compared : std::uint8_t {
+  kAll,    ///< every environment that clauses tell apart
+  kNamed,  ///< those that the named ones are among
+};
+
 /// In the order of their first environments. The genotypes have equal states
 /// and alphabets. Nothing when there are too many environments to develop
 /// (runtime/regimes.h), or a string grows beyond its limit.
 std::optional<std::vector<ComparedRegime>> CompareRobots(
     const Genotype& before, const Genotype& after,
-    const std::vector<NamedEnvironment>& named);
+    const std::vector<NamedEnvironment>& named,
+    Compared compared = Compared::kAll);
 
 /// Whether all of them have the same robot before and after.
 bool AreSame(const std::vector<ComparedRegime>& regimes);

@@ -20,13 +20,17 @@ class Trimmer {
         pieces_(PiecesOf(programs)),
         kept_(pieces_.all.size(), true),
         work_left_(options.max_work),
-        only_(options.only) {}
+        only_(options.only),
+        lived_(options.lived) {}
 
   /// What keeps the genotypes from being developed everywhere.
   std::vector<Diagnostic> Prepare() {
     std::vector<Diagnostic> problems;
-    for (const MappedProgram& mapped : programs_) {
-      Result<TrimTarget> target = MakeTrimTarget(mapped);
+    for (std::size_t p = 0; p < programs_.size(); ++p) {
+      LivedEnvironments lived;
+      if (!lived_.empty()) lived = lived_[p];
+      Result<TrimTarget> target =
+          MakeTrimTarget(programs_[p], std::move(lived));
       if (target)
         targets_.push_back(std::move(*target));
       else
@@ -236,6 +240,7 @@ class Trimmer {
   Kept kept_;
   std::uint64_t work_left_;
   std::optional<std::size_t> only_;
+  std::vector<std::vector<NamedEnvironment>> lived_;
   std::vector<TrimTarget> targets_;
 };
 
@@ -254,6 +259,7 @@ PieceCounts CountPieces(const Genotype& genotype) {
 Result<Trimmed> Trim(const Source& source, const TrimOptions& options) {
   const auto compiled = CompileAllWithMap(source, options.compile);
   if (!compiled) return compiled.diagnostics();
+  assert(options.lived.empty() || options.lived.size() == compiled->size());
   Trimmer trimmer(*compiled, options);
   auto problems = trimmer.Prepare();
   if (!problems.empty()) return problems;
@@ -270,7 +276,11 @@ Result<Trimmed> Trim(const Source& source, const TrimOptions& options) {
     const Program& before = (*compiled)[p].program;
     const Genotype& genotype = (*after)[p].genotype;
     assert(genotype == trimmer.genotype(p));
-    auto proof = CompareRobots(before.genotype, genotype, before.environments);
+    auto proof = options.lived.empty()
+                     ? CompareRobots(before.genotype, genotype,
+                                     before.environments, Compared::kAll)
+                     : CompareRobots(before.genotype, genotype,
+                                     options.lived[p], Compared::kNamed);
     assert(proof && AreSame(*proof));
     trimmed.genotypes.push_back({genotype.name, CountPieces(before.genotype),
                                  CountPieces(genotype), std::move(*proof)});

@@ -2,10 +2,10 @@
 
 // Leaves out of a genotype file what changes no robot: rules, symbols, and
 // terms of clauses that decide nothing. Without them every environment that
-// clauses tell apart develops into the very same body and brain, ids and every
-// bit of every number included. Found by trying, big pieces first, each time by
-// developing; so what is left out is never guessed. Comments and layout of the
-// rest stay.
+// clauses tell apart (or that is lived in) develops into the very same body and
+// brain, ids and every bit of every number included. Found by trying, big
+// pieces first, each time by developing; so what is left out is never guessed.
+// Comments and layout of the rest stay.
 
 #include <cstddef>
 #include <cstdint>
@@ -22,6 +22,9 @@ struct TrimOptions {
   /// Index into CompileAll's programs; absent: all of the file. What belongs
   /// to other genotypes too only goes if it changes none of them.
   std::optional<std::size_t> only;
+  /// By program, what it may develop in; empty: every environment that clauses
+  /// tell apart. Where a robot never lives, it may become another one.
+  std::vector<std::vector<NamedEnvironment>> lived;
   CompileOptions compile;
   /// Most symbols that are derived in trying, over all environments; beyond it
   /// what is found so far is the result. Random genotypes of the paper's kind

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -36,6 +37,22 @@ Diagnostic TooManyEnvironments(const MappedProgram& mapped) {
   return diagnostic;
 }
 
+// Those that some environment that counts is in: where the same rules are
+// active, the same develops.
+std::vector<Regime> Counted(std::vector<Regime> regimes,
+                            const Genotype& genotype, const StateSpace& space,
+                            const LivedEnvironments& lived) {
+  if (!lived) return regimes;
+  std::set<std::vector<RuleIndex>> active;
+  for (const NamedEnvironment& one : *lived)
+    active.insert(RulesThatHold(genotype, one.environment));
+  std::erase_if(regimes, [&](const Regime& regime) {
+    return !active.contains(
+        RulesThatHold(genotype, {space.At(regime.environment)}));
+  });
+  return regimes;
+}
+
 std::string WhereOf(const TrimTarget& target, const Regime& regime) {
   const std::string where =
       target.space.Describe(regime.environment, target.current.states);
@@ -65,11 +82,8 @@ bool IsSame(const Genotype& genotype, const Developed& a, const Developed& b) {
 class Attempt {
  public:
   Attempt(const TrimTarget& target, Genotype genotype)
-      : target_(target), next_{target.mapped,
-                               target.space,
-                               std::move(genotype),
-                               {},
-                               {},
+      : target_(target), next_{target.mapped,       target.lived, target.space,
+                               std::move(genotype), {},           {},
                                target.tests} {}
 
   TrimTry Run(PieceKind kind) {
@@ -83,7 +97,8 @@ class Attempt {
     // An eighth: a clause is looked up faster than a symbol is derived.
     work_ += genotype.rules.size() *
              static_cast<std::size_t>(*target_.space.size()) / 8;
-    return *FindRegimes(genotype, target_.space);
+    return Counted(*FindRegimes(genotype, target_.space), genotype,
+                   target_.space, target_.lived);
   }
 
   // The environments to look at: without symbols or rules no more are told
@@ -146,9 +161,11 @@ class Attempt {
 
 }  // namespace
 
-Result<TrimTarget> MakeTrimTarget(const MappedProgram& mapped) {
+Result<TrimTarget> MakeTrimTarget(const MappedProgram& mapped,
+                                  LivedEnvironments lived) {
   const Genotype& genotype = mapped.program.genotype;
-  TrimTarget target{&mapped, StateSpace(genotype), genotype, {}, {}, {}};
+  TrimTarget target{
+      &mapped, std::move(lived), StateSpace(genotype), genotype, {}, {}, {}};
   const auto regimes = FindRegimes(genotype, target.space);
   // Proofs look at the rules of before and after together.
   const bool is_too_much =
@@ -156,7 +173,7 @@ Result<TrimTarget> MakeTrimTarget(const MappedProgram& mapped) {
       genotype.rules.size() >
           kMaxRegulations / 2 / static_cast<std::size_t>(*target.space.size());
   if (is_too_much) return TooManyEnvironments(mapped);
-  target.regimes = *regimes;
+  target.regimes = Counted(*regimes, genotype, target.space, target.lived);
   if (auto problem = DevelopAll(target)) return *problem;
   target.tests = PassingTests(mapped);
   return target;

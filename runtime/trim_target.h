@@ -16,12 +16,17 @@
 
 namespace plsc {
 
+/// Environments that count; all that clauses tell apart without them.
+using LivedEnvironments = std::optional<std::vector<NamedEnvironment>>;
+
 struct TrimTarget {
   const MappedProgram* mapped = nullptr;  ///< as it was written
+  LivedEnvironments lived;
   /// Of the written clauses; those that are left tell no more apart.
   StateSpace space;
   Genotype current;
-  /// Of `current`; every environment of a regime has developed the same.
+  /// Of `current`, that count; every environment of a regime has developed the
+  /// same.
   std::vector<Regime> regimes;
   std::map<std::vector<RuleIndex>, Developed> developed;  ///< of `current`
   std::vector<std::size_t> tests;  ///< of the file, that pass
@@ -29,7 +34,8 @@ struct TrimTarget {
 
 /// `mapped` must outlive it. P4001 or P4003 where it cannot be developed
 /// everywhere.
-Result<TrimTarget> MakeTrimTarget(const MappedProgram& mapped);
+Result<TrimTarget> MakeTrimTarget(const MappedProgram& mapped,
+                                  LivedEnvironments lived = {});
 
 struct TrimTry {
   /// Nothing if some environment develops otherwise, or a test fails.

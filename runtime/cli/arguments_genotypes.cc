@@ -207,6 +207,10 @@ CLI::App* AddTrim(CLI::App& app, TrimCommand& command) {
                 "write nothing; exit status 1 if anything would be left out")
       ->excludes(output)
       ->excludes(write);
+  sub->add_option("--scenario", command.scenario,
+                  "YAML file: only its seasons count as environments, as "
+                  "simulate lives them")
+      ->option_text("FILE");
   AddFormat(sub, command.format,
             "one object with the counts, the proof and the text");
   AddRange(sub, command.allow_range);
@@ -217,8 +221,10 @@ CLI::App* AddTrim(CLI::App& app, TrimCommand& command) {
       "names the environments, with a hash\nof the robot before and after. "
       "Comments and layout of the rest stay; tests of the\nfile that pass go "
       "on to pass. Exit status 1, and nothing is written, if some\nenvironment "
-      "cannot be developed.\n\n"
+      "cannot be developed.\nWith --scenario robots stay the same in its "
+      "seasons, and may become others\nelsewhere.\n\n"
       "  plsc trim robot.pls > small.pls\n"
+      "  plsc trim robot.pls --scenario hills.yaml > smaller.pls\n"
       "  plsc trim --write robots/robot7.pls\n"
       "  plsc trim robot.pls --format json | jq '.genotypes[].after'");
   return sub;

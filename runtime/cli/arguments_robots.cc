@@ -58,40 +58,56 @@ CLI::App* AddDevelop(CLI::App& app, DevelopCommand& command) {
 
 CLI::App* AddRandom(CLI::App& app, RandomCommand& command) {
   CLI::App* sub = app.add_subcommand(
-      "random", "Write a random genotype, as evolution begins with");
+      "random", "Write random genotypes, as evolution begins with");
   sub->add_option("--seed", command.seed,
-                  "the same seed gives the same genotype")
-      ->required()
+                  "the same seed gives the same genotypes (default: the "
+                  "experiment's)")
       ->check(CLI::NonNegativeNumber)
       ->option_text("N");
+  sub->add_option("--count", command.count,
+                  "genotypes, in one file (default: 1; with --experiment the "
+                  "population)")
+      ->check(CLI::Range(1, 100000))
+      ->option_text("N");
+  CLI::Option* experiment =
+      sub->add_option("--experiment", command.experiment,
+                      "YAML file: the population that a run of that "
+                      "experiment begins with, bit for bit")
+          ->option_text("FILE");
   sub->add_option("--encoding", command.encoding,
                   "plasticoding (default): rules with clauses; baseline: one "
                   "rule a symbol, always active")
       ->check(CLI::IsMember({"plasticoding", "baseline"}))
-      ->option_text("ENCODING");
+      ->option_text("ENCODING")
+      ->excludes(experiment);
   sub->add_option("--states", command.states,
                   "states that clauses ask about (default: inclined)")
       ->delimiter(',')
-      ->option_text("NAME,...");
-  sub->add_option("--max-groups", command.max_groups,
-                  "most groups of five symbols a rule (default 4)")
-      ->check(CLI::Range(1, 100))
-      ->option_text("N");
-  sub->add_option("--max-rules", command.max_rules,
-                  "rules a symbol, plasticoding only (default 2)")
-      ->check(CLI::Range(1, 100))
-      ->option_text("N");
-  sub->add_option("--max-terms", command.max_terms,
-                  "most terms a clause, plasticoding only (default 2)")
-      ->check(CLI::Range(1, 100))
-      ->option_text("N");
+      ->option_text("NAME,...")
+      ->excludes(experiment);
+  const auto add_limit = [&](const char* name, int& limit, const char* help) {
+    sub->add_option(name, limit, help)
+        ->check(CLI::Range(1, 100))
+        ->option_text("N")
+        ->excludes(experiment);
+  };
+  add_limit("--max-groups", command.max_groups,
+            "most groups of five symbols a rule (default 4)");
+  add_limit("--max-rules", command.max_rules,
+            "rules a symbol, plasticoding only (default 2)");
+  add_limit("--max-terms", command.max_terms,
+            "most terms a clause, plasticoding only (default 2)");
   sub->add_option("-o,--output", command.output,
                   "file to write (default: standard output)")
       ->option_text("FILE");
   AddForce(sub, command.force);
   sub->footer(
+      "One of --seed and --experiment is required. Several genotypes are named "
+      "random_7_1,\nrandom_7_2 and so on, those of an experiment as in its "
+      "runs; FILE#NAME is one of them.\n\n"
       "  plsc random --seed 7 -o robot7.pls\n"
-      "  plsc random --seed 7 --states inclined,hot");
+      "  plsc random --seed 7 --states inclined,hot\n"
+      "  plsc random --experiment examples/small.yaml --seed 3 -o first.pls");
   return sub;
 }
 

@@ -257,7 +257,9 @@ struct ReplayCommand {
 };
 
 struct RandomCommand {
-  std::uint64_t seed = 0;
+  std::optional<std::uint64_t> seed;  ///< without `experiment` there is one
+  std::optional<int> count;           ///< absent: 1, or the population
+  std::string experiment;             ///< a file instead of what follows
   std::string encoding = "plasticoding";
   std::vector<std::string> states{"inclined"};
   int max_groups = 4;
@@ -280,6 +282,7 @@ struct TrimCommand {
   std::string output;  ///< empty: standard output, unless `write`
   bool force = false;  ///< as Output::force
   bool check = false;
+  std::string scenario;  ///< empty: every environment counts
   OutputFormat format = OutputFormat::kText;
   bool allow_range = false;
 };

@@ -14,6 +14,7 @@
 #include "runtime/cli/export_robot.h"
 #include "runtime/cli/open_run.h"
 #include "runtime/cli/output_path.h"
+#include "runtime/cli/pipe_errors.h"
 
 namespace plsc::cli {
 
@@ -68,6 +69,7 @@ class NewFile {
     return fmt::format("cannot write to '{}': {}", path_, SystemReason(error_));
   }
 
+  PipeErrors are_errors_;
   std::string path_;
   std::string beside_;
   std::FILE* file_;

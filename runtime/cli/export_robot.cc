@@ -191,8 +191,11 @@ std::string ExportedName(const RobotModel& model, ExportFormat format,
 
 Exit ExportRobots(const ExportCommand& command, Io& io) {
   const bool asks_folder = AsksFolder(command.output);
-  if (!asks_folder && !CanWrite(OutputOf(command, command.output), io))
-    return Exit::kBadInput;
+  // Several robots would make it a folder, so what --force replaces comes
+  // later.
+  Output whatever_it_is = OutputOf(command, command.output);
+  whatever_it_is.force = true;
+  if (!asks_folder && !CanWrite(whatever_it_is, io)) return Exit::kBadInput;
   if (!command.prefix.empty() && !HasNames(*command.to)) {
     io.err << fmt::format(
         "plsc: --prefix goes before names of parts, and {} has none\n"

@@ -13,6 +13,8 @@
 #include <iterator>
 #include <ostream>
 
+#include "runtime/cli/pipe_errors.h"
+
 namespace plsc::cli {
 
 namespace {
@@ -87,6 +89,7 @@ bool WriteAll(int descriptor, std::string_view text) {
 
 std::optional<std::string> WriteInto(const std::string& path,
                                      std::string_view text) {
+  const PipeErrors are_errors;
   const File file(
       ::open(path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC | O_NOCTTY));
   if (file.get() < 0 || !WriteAll(file.get(), text))

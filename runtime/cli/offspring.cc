@@ -13,15 +13,11 @@ namespace plsc::cli {
 
 namespace {
 
-// One file of several genotypes says its language once.
 std::string AsOneFile(const std::vector<OneChild>& children) {
-  constexpr std::string_view kVersionLine = "plsc 1\n";
-  std::string text;
-  for (const OneChild& child : children) {
-    const std::string one = Print(child.program);
-    text += text.empty() ? one : one.substr(kVersionLine.size());
-  }
-  return text;
+  std::vector<std::string> texts;
+  texts.reserve(children.size());
+  for (const OneChild& child : children) texts.push_back(Print(child.program));
+  return JoinGenotypes(texts);
 }
 
 std::string AsLines(const std::vector<OneChild>& children) {
@@ -36,6 +32,14 @@ std::string AsLines(const std::vector<OneChild>& children) {
 }
 
 }  // namespace
+
+std::string JoinGenotypes(const std::vector<std::string>& texts) {
+  constexpr std::string_view kVersionLine = "plsc 1\n";
+  std::string joined;
+  for (const std::string& text : texts)
+    joined += joined.empty() ? text : text.substr(kVersionLine.size());
+  return joined;
+}
 
 OutputKind ChildrenKind(OutputFormat format) {
   return format == OutputFormat::kJson ? OutputKind::kChildren

@@ -14,6 +14,10 @@
 
 namespace plsc::cli {
 
+/// Texts of one genotype each as the text of a file that holds them all, which
+/// says its language once.
+std::string JoinGenotypes(const std::vector<std::string>& texts);
+
 struct OneChild {
   Program program;
   std::string told;             ///< "deleted a symbol of rule 3 (B)"

@@ -8,9 +8,12 @@
 #include <ostream>
 
 #include "runtime/cli/commands.h"
+#include "runtime/cli/load_yaml.h"
 #include "runtime/cli/output_path.h"
 #include "runtime/cli/program.h"
+#include "runtime/cli/recorded_life.h"
 #include "runtime/formats/json_dump.h"
+#include "runtime/season_environments.h"
 
 namespace plsc::cli {
 
@@ -83,11 +86,26 @@ std::optional<std::size_t> Only(const LoadedFile& file) {
   return file.chosen.front();
 }
 
+// Where each genotype of the file may develop in the scenario. Prints what is
+// wrong.
+bool PutIntoSeasons(const std::string& scenario_file, const LoadedFile& file,
+                    TrimOptions& options, Io& io) {
+  if (scenario_file.empty()) return true;
+  const auto scenario = LoadScenario(scenario_file, io);
+  if (!scenario) return false;
+  for (const MappedProgram& one : file.all) {
+    const Genotype& genotype = one.program.genotype;
+    if (!CanLive(*scenario, genotype, io)) return false;
+    options.lived.push_back(PossibleEnvironments(genotype, *scenario));
+  }
+  return true;
+}
+
 Output OutputOf(const TrimCommand& command) {
   return {command.output,
           OutputKind::kGenotype,
           command.force,
-          {SplitGenotypePath(command.file).file}};
+          {SplitGenotypePath(command.file).file, command.scenario}};
 }
 
 // Whether the text went where it was wanted.
@@ -122,6 +140,8 @@ Exit Run(const TrimCommand& command, Io& io) {
   TrimOptions options;
   options.only = Only(*file);
   options.compile.allow_out_of_range = command.allow_range;
+  if (!PutIntoSeasons(command.scenario, *file, options, io))
+    return Exit::kBadInput;
   const Result<Trimmed> trimmed = Trim(file->source, options);
   if (!trimmed) {
     Report(trimmed.diagnostics(), file->source, io);

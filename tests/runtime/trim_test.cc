@@ -100,6 +100,78 @@ TEST_CASE("Two clauses of one regime are told apart once a term is gone",
   CHECK(Trimmed1(text) == text);
 }
 
+std::vector<NamedEnvironment> Lived(const Genotype& genotype,
+                                    const std::vector<double>& inclined) {
+  std::vector<NamedEnvironment> lived;
+  for (const double value : inclined) {
+    Environment environment{std::vector<double>(genotype.states.size(), 0)};
+    environment.values[0] = value;
+    lived.push_back({value > 0 ? "hill" : "plain", environment});
+  }
+  return lived;
+}
+
+TEST_CASE("Only environments that are lived in count, if they are named",
+          "[trim]") {
+  const std::string text =
+      kHead +
+      "sense inclined: bool\nsense hot: bool\niterations 1\n"
+      "rule C -> if inclined = False and hot = False then { C add_left B }\n"
+      "rule C -> if inclined = True then { C add_front B }\n"
+      "rule C -> if hot = True then { C add_right B }\n";
+  const Source source("test", text);
+  const Genotype genotype = test::CompileText(text).genotype;
+  TrimOptions options;
+  options.lived = {Lived(genotype, {0, 1})};
+  const auto seasons = Trim(source, options);
+  REQUIRE(seasons);
+  // It is never hot.
+  CHECK(seasons->text ==
+        kHead +
+            "sense inclined: bool\nsense hot: bool\niterations 1\n"
+            "rule C -> if inclined = False then { C add_left B }\n"
+            "rule C -> if inclined = True then { C add_front B }\n");
+  REQUIRE(seasons->genotypes[0].proof.size() == 2);
+  CHECK(seasons->genotypes[0].proof[0].named ==
+        std::vector<std::string>{"plain"});
+  options.lived = {Lived(genotype, {1})};
+  const auto hill = Trim(source, options);
+  REQUIRE(hill);
+  CHECK(hill->text ==
+        kHead +
+            "sense inclined: bool\nsense hot: bool\niterations 1\n"
+            "rule C -> { C add_front B }\n");
+  CHECK(hill->genotypes[0].proof.size() == 1);
+}
+
+TEST_CASE("Random genotypes stay what they are where they live", "[trim]") {
+  constexpr std::uint64_t kSeed = 20261130;
+  GenotypeOptions drawn;
+  drawn.states.push_back({"hot", StateType::kBool, 0, 0, {}});
+  std::size_t more = 0;
+  for (std::uint64_t i = 0; i < 12; ++i) {
+    INFO("seed " << kSeed << ", genotype " << i);
+    Rng rng({kSeed, 0, i, Purpose::kInitialise});
+    Genotype genotype = Initialise(drawn, rng);
+    genotype.name = "drawn";
+    const Source source("test", Print(genotype));
+    TrimOptions options;
+    options.lived = {Lived(genotype, {0, 1})};
+    const auto trimmed = Trim(source, options);
+    REQUIRE(trimmed);
+    const Genotype after = test::CompileText(trimmed->text).genotype;
+    // By development, not by the trimmer's own proof.
+    for (const NamedEnvironment& one : options.lived[0])
+      CHECK(Develop(after, one.environment) ==
+            Develop(genotype, one.environment));
+    const auto everywhere = Trim(source);
+    REQUIRE(everywhere);
+    CHECK(trimmed->text.size() <= everywhere->text.size());
+    more += everywhere->text.size() - trimmed->text.size();
+  }
+  CHECK(more > 0);
+}
+
 TEST_CASE("What the file expects of itself goes on to hold", "[trim]") {
   const std::string text = kHead +
                            "iterations 1\nrule C -> { C B add_left B }\n"

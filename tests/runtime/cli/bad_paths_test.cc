@@ -45,7 +45,8 @@ const std::vector<std::string> kLines = {
     "diff FILE:r.pls r.pls --format json",
     "draw FILE:r.pls -o --output:new.svg",
     "draw FILE:run.sqlite best",
-    "merge BASE:r.pls OURS:r.pls THEIRS:r.pls -o --output:new.pls -P -P:r.pls",
+    "merge BASE:r.pls OURS:r.pls THEIRS:r.pls -o --output:new.pls "
+    "-P --path:r.pls",
     "regulate FILE:r.pls --format json",
     "simulate FILE:r.pls --scenario --scenario:s.yaml --format json --svg "
     "--svg:new.svg --record --record:new.json --trajectory --trajectory:new",
@@ -57,7 +58,8 @@ const std::vector<std::string> kLines = {
     "show RUN:run.sqlite --format json",
     "show RUN:run.sqlite best --format json",
     "replay RUN:run.sqlite --format json",
-    "export FILE:r.pls --to json --env flat -o --output:new.json",
+    "export FILE:r.pls --to json --env flat --scenario --scenario:s.yaml -o "
+    "--output:new.json",
     "export FILE:run.sqlite --csv --csv:new",
     "export FILE:run.sqlite --jsonl -o --output:new.jsonl",
     "study list STUDY:study.yaml --format json",
@@ -72,6 +74,7 @@ const std::vector<std::string> kLines = {
     "test PATH:r.pls --format json",
     "test PATH:r.pls -o --output:new.txt",
     "random --seed 1 -o --output:new.pls",
+    "random --experiment --experiment:e.yaml -o --output:new.pls",
     "import FILE:old.txt -o --output:new.pls",
     "mutate FILE:r.pls --seed 1 --experiment --experiment:e.yaml -o "
     "--output:new.pls",
@@ -80,6 +83,7 @@ const std::vector<std::string> kLines = {
     "-o --output:new.pls",
     "trim FILE:r.pls -o --output:new.pls",
     "trim FILE:r.pls --format json",
+    "trim FILE:r.pls --scenario --scenario:s.yaml -o --output:new.pls",
     "stats FILE:r.pls --format json",
     "hash FILE:r.pls",
     "man --all --all:new",
@@ -95,10 +99,10 @@ constexpr const char* kExperiment =
     "name: tiny\npopulation: 2\noffspring: 1\ngenerations: 1\nscenario:\n"
     "  seasons:\n    - {name: flat, terrain: flat, duration: 1 s}\n";
 constexpr const char* kStudy =
-    "plsc_study: 1\nname: tiny\nseed: 1\nrepetitions: 1\ncommon:\n"
+    "plsc_study: 1\nname: tiny\nseed: 1\nrepetitions: 1\nbase:\n"
     "  population: 2\n  offspring: 1\n  generations: 1\n  scenario:\n"
     "    seasons:\n      - {name: flat, terrain: flat, duration: 1 s}\n"
-    "experiments:\n  plastic: {}\n";
+    "experiments:\n  plastic:\n    encoding: plasticoding\n";
 
 struct Word {
   std::string slot;  ///< empty: an argument as it is

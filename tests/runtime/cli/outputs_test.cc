@@ -213,9 +213,10 @@ TEST_CASE("What is forced is done, but for runs and what is read",
     INFO(writer.words[0] << " a " << writer.kind);
     const std::string folder = world.Fresh();
     const std::string path = folder + "/" + writer.file;
-    Put(path, test::kPlasticText);
+    const std::string by_hand = std::string(test::kPlasticText) + "# mine\n";
+    Put(path, by_hand);
     CHECK(World::Run(writer, folder, true).exit == 0);
-    CHECK(ReadFile(path) != test::kPlasticText);
+    CHECK(ReadFile(path) != by_hand);
     const std::string store = ReadFile(world.run());
     Put(path, store);
     CHECK(World::Run(writer, folder, true).exit != 0);

@@ -48,6 +48,39 @@ TEST_CASE("trim writes where it is told, and nothing else", "[cli][trim]") {
   CHECK(RunPlsc({"trim", file, "--write", "-o", "x"}).exit == 2);
 }
 
+TEST_CASE("trim looks at the seasons of a scenario only", "[cli][trim]") {
+  const std::string text =
+      "plsc 1\ngenotype two\nalphabet plasticoding 1\nsense inclined: bool\n"
+      "iterations 1\n"
+      "rule C -> if inclined = True then { C add_front B }\n"
+      "rule C -> if inclined = False then { C add_left B }\n";
+  const test::TemporaryFolder folder;
+  const auto scenario = [&](const std::string& lines) {
+    return folder.Write("s.yaml", "plsc_scenario: 1\n" + lines);
+  };
+  const std::string flat = "{name: flat, terrain: flat, duration: 1 s}";
+  const auto level = RunPlsc(
+      {"trim", "-", "--scenario", scenario("seasons: [" + flat + "]\n")}, text);
+  CHECK(level.exit == 0);
+  CHECK(level.out.find("add_front") == std::string::npos);
+  CHECK(level.out.find("rule C -> { C add_left B }") != std::string::npos);
+  CHECK(level.err.find("(flat): before ") != std::string::npos);
+  CHECK(RunPlsc({"trim", "-"}, text).out == text);
+  // Who lives on may come to a place of the hills that feels level, or not.
+  const std::string hills =
+      "lives: continuous\nseasons:\n  - " + flat +
+      "\n  - {name: hills, terrain: rough, duration: 1 s}\n";
+  CHECK(RunPlsc({"trim", "-", "--scenario", scenario(hills)}, text).out ==
+        text);
+  CHECK(RunPlsc({"trim", "-", "--scenario", folder / "none"}, text).exit == 1);
+  const auto mute =
+      RunPlsc({"trim", "-", "--scenario",
+               scenario("sensing: given\nseasons: [" + flat + "]\n")},
+              text);
+  CHECK(mute.exit == 1);
+  CHECK(mute.out.empty());
+}
+
 TEST_CASE("trim tells scripts everything", "[cli][trim]") {
   const auto ran = RunPlsc({"trim", "-", "--format", "json"}, kLong);
   CHECK(ran.exit == 0);

@@ -80,7 +80,7 @@ TEST_CASE("Places on long lines are those of short ones", "[lsp]") {
   }
   const LineTable lines(text);
   for (int i = 0; i < 2000; ++i) {
-    const std::uint32_t offset = random() % text.size();
+    const auto offset = static_cast<std::uint32_t>(random() % text.size());
     if (text[offset] == '\n') continue;
     const std::size_t newline =
         offset == 0 ? std::string::npos : text.rfind('\n', offset - 1);

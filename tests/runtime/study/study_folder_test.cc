@@ -136,4 +136,42 @@ TEST_CASE("Of many processes that begin at once, all agree on one study",
   }
 }
 
+TEST_CASE("A folder that is another study's, or gone, is noticed",
+          "[study_folder]") {
+  const Scratch scratch;
+  const std::string folder = scratch / "study";
+  const Study study = SmallStudy();
+  REQUIRE(PrepareFolder(folder, study) == std::nullopt);
+  CHECK(CheckFolder(folder, study) == std::nullopt);
+  Study other = study;
+  other.seed = study.seed + 1;
+  CHECK(CheckFolder(folder, other).value_or("").find("another study") !=
+        std::string::npos);
+  std::filesystem::rename(folder, scratch / "moved");
+  CHECK(CheckFolder(folder, study) ==
+        "cannot read '" + folder + "/study.yaml'");
+}
+
+TEST_CASE("A folder that cannot be prepared leaves no folders behind",
+          "[study_folder]") {
+  const Scratch scratch;
+  const Study study = SmallStudy();
+  // In the place of a folder that the study needs.
+  std::filesystem::create_directory(scratch / "study");
+  test::WriteBytes(scratch / "study/study.yaml", PrintStudy(study));
+  test::WriteBytes(scratch / "study/baseline", "a file");
+  CHECK(PrepareFolder(scratch / "study", study)
+            .value_or("")
+            .find("cannot create '" + (scratch / "study/baseline") + "'") == 0);
+  CHECK_FALSE(std::filesystem::exists(scratch / "study/plastic"));
+  // What is planted under the names that a study.yaml could have before it is
+  // whole is neither followed nor deleted.
+  const std::string planted =
+      scratch / ("new/study.yaml." + std::to_string(getpid()));
+  std::filesystem::create_directory(scratch / "new");
+  test::WriteBytes(planted, "kept");
+  REQUIRE(PrepareFolder(scratch / "new", study) == std::nullopt);
+  CHECK(test::ReadBytes(planted) == "kept");
+}
+
 }  // namespace plsc

@@ -136,7 +136,7 @@ TEST_CASE("Mistakes in a study are shown where they are, and once", "[study]") {
        {"unknown key 'repetition'", "did you mean 'repetitions'?"}},
       {"a mistake in the base",
        "base: {population: 1}\nexperiments: {a: {}, b: {}}\n",
-       {"study.yaml:1:20", "expected a whole number of 2 to 1000000"}},
+       {"study.yaml:1:20", "expected a whole number of 2 to 100000"}},
       {"an unknown key in the base",
        "base:\n  popullation: 9\nexperiments: {a: {}, b: {}}\n",
        {"study.yaml:2:3", "unknown key 'popullation'"}},
