@@ -73,14 +73,14 @@ const std::vector<std::string> kLines = {
     "why FILE:r.pls --module 1 --format json",
     "test PATH:r.pls --format json",
     "test PATH:r.pls -o --output:new.txt",
-    "random --seed 1 -o --output:new.pls",
+    "random --experiment --experiment:e.yaml -o --output:new.pls",
     "import FILE:old.txt -o --output:new.pls",
     "mutate FILE:r.pls --seed 1 --experiment --experiment:e.yaml -o "
     "--output:new.pls",
     "mutate FILE:r.pls --seed 1 --format json",
     "cross FIRST:r.pls SECOND:r.pls --seed 1 --experiment --experiment:e.yaml "
     "-o --output:new.pls",
-    "trim FILE:r.pls -o --output:new.pls",
+    "trim FILE:r.pls --scenario --scenario:s.yaml -o --output:new.pls",
     "trim FILE:r.pls --format json",
     "stats FILE:r.pls --format json",
     "hash FILE:r.pls",
@@ -306,7 +306,8 @@ void CheckJson(const std::string& out) {
 
 void CheckTold(const std::vector<std::string>& arguments, const Told& told) {
   CAPTURE(arguments, told.out, told.err);
-  REQUIRE(WIFEXITED(told.status));
+  CHECK(WIFEXITED(told.status));
+  if (!WIFEXITED(told.status)) return;
   const int exit = WEXITSTATUS(told.status);
   CHECK((exit == 0 || exit == 1 || exit == 2));
   if (exit != 0) CHECK_FALSE((told.err.empty() && told.out.empty()));
