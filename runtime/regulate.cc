@@ -27,16 +27,6 @@ void Join(const Genotype& genotype, RuleIndex index, bool is_first,
   }
 }
 
-std::vector<RuleIndex> RulesThatHold(const Genotype& genotype,
-                                     const Environment& environment) {
-  std::vector<RuleIndex> rules;
-  rules.reserve(genotype.rules.size());
-  for (std::size_t i = 0; i < genotype.rules.size(); ++i)
-    if (ClauseHolds(genotype.rules[i].clause, environment.values))
-      rules.push_back(static_cast<RuleIndex>(i));
-  return rules;
-}
-
 Successors JoinAll(const Genotype& genotype,
                    const std::vector<RuleIndex>& rules) {
   std::size_t length = 0;
@@ -60,6 +50,16 @@ Successors JoinAll(const Genotype& genotype,
 }
 
 }  // namespace
+
+std::vector<RuleIndex> RulesThatHold(const Genotype& genotype,
+                                     const Environment& environment) {
+  std::vector<RuleIndex> rules;
+  rules.reserve(genotype.rules.size());
+  for (std::size_t i = 0; i < genotype.rules.size(); ++i)
+    if (ClauseHolds(genotype.rules[i].clause, environment.values))
+      rules.push_back(static_cast<RuleIndex>(i));
+  return rules;
+}
 
 Successors::Successors(std::vector<Occurrence> occurrences,
                        std::vector<std::uint32_t> begins)

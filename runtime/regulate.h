@@ -55,6 +55,11 @@ class Successors {
   std::vector<std::uint32_t> begins_{0};
 };
 
+/// Every rule whose clause holds in `environment`, in order, which here may be
+/// any.
+std::vector<RuleIndex> RulesThatHold(const Genotype& genotype,
+                                     const Environment& environment);
+
 struct ActiveRules {
   std::vector<RuleIndex> rules;  ///< every rule whose clause holds, in order
   Successors joined;

@@ -45,10 +45,10 @@ std::vector<Regime> Counted(std::vector<Regime> regimes,
   if (!lived) return regimes;
   std::set<std::vector<RuleIndex>> active;
   for (const NamedEnvironment& one : *lived)
-    active.insert(Regulate(genotype, one.environment).rules);
+    active.insert(RulesThatHold(genotype, one.environment));
   std::erase_if(regimes, [&](const Regime& regime) {
     return !active.contains(
-        Regulate(genotype, {space.At(regime.environment)}).rules);
+        RulesThatHold(genotype, {space.At(regime.environment)}));
   });
   return regimes;
 }

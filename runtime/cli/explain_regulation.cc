@@ -193,7 +193,7 @@ robot develops there (P4001). Found by counting, without developing.
 alphabet plasticoding 1
 sense hot: bool
 iterations 30
-rule C -> { C add_left B }
+rule C -> { C add_left B move_left }
 rule B -> if hot = True then { B B B }
 rule B -> if hot = False then { B }
 )",
@@ -201,7 +201,7 @@ rule B -> if hot = False then { B }
 alphabet plasticoding 1
 sense hot: bool
 iterations 3
-rule C -> { C add_left B }
+rule C -> { C add_left B move_left }
 rule B -> if hot = True then { B add_front B move_front }
 rule B -> if hot = False then { B }
 )"},

@@ -9,8 +9,8 @@ namespace {
 constexpr Explanation kRows[] = {
     {"P5100", ExampleKind::kExperiment,
      R"(The file does not follow the syntax of YAML (a scenario, an experiment)
-or of JSON (a golden file, a recording); the message is that of the reader. Often a
-bracket or quote is not closed, or an indentation is wrong.
+or of JSON (a golden file, a recording); the message is that of the
+reader. Often a bracket or quote is not closed, or an indentation is wrong.
 )",
      R"(plsc_experiment: 1
 states: [inclined, hot

@@ -12,6 +12,7 @@
 #include <optional>
 #include <ostream>
 
+#include "grammar/shown_line.h"
 #include "runtime/cli/open_run.h"
 #include "runtime/cli/program.h"
 
@@ -92,7 +93,8 @@ bool CanWrite(const Output& output, Io& io) {
   if (path.empty() || path == "-" || IsDescriptor(path)) return true;
   const auto problem = ProblemOf(output);
   if (problem)
-    io.err << fmt::format("error: cannot write '{}': {}\n", path, *problem);
+    io.err << fmt::format("error: cannot write '{}': {}\n", Escaped(path),
+                          Escaped(*problem));
   return !problem;
 }
 
@@ -102,8 +104,8 @@ bool MakeFolder(const std::string& folder, Io& io) {
   // A link to a folder is no error, nor is "folder/".
   std::error_code ignored;
   if (!error || fs::is_directory(folder, ignored)) return true;
-  io.err << fmt::format("error: cannot make the folder '{}': {}\n", folder,
-                        error.message());
+  io.err << fmt::format("error: cannot make the folder '{}': {}\n",
+                        Escaped(folder), error.message());
   return false;
 }
 
@@ -117,7 +119,8 @@ bool WriteOutput(const Output& output, std::string_view text, Io& io) {
   if (!CanWrite(output, io)) return false;
   const auto failure = WriteFile(path, text);
   if (failure)
-    io.err << fmt::format("error: cannot write '{}': {}\n", path, *failure);
+    io.err << fmt::format("error: cannot write '{}': {}\n", Escaped(path),
+                          Escaped(*failure));
   return !failure;
 }
 

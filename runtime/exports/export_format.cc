@@ -36,7 +36,7 @@ bool HasNames(ExportFormat format) {
 }
 
 std::string LeftOut(ExportFormat format, const RobotModel& model) {
-  static const SimulationOptions kUsual = ExportedOptions();
+  static const SimulationOptions usual = ExportedOptions();
   const SimulationOptions& options = model.options;
   const PhysicsOptions& physics = options.physics;
   const bool is_urdf = format == ExportFormat::kUrdf;
@@ -50,13 +50,13 @@ std::string LeftOut(ExportFormat format, const RobotModel& model) {
       "the " + GroundText(model.terrain));
   add(is_sdf && model.terrain.type == TerrainType::kRough,
       "the hills of the " + GroundText(model.terrain));
-  add((is_urdf || is_yaml) && physics.gravity != kUsual.physics.gravity,
+  add((is_urdf || is_yaml) && physics.gravity != usual.physics.gravity,
       fmt::format("gravity {} m/s2", physics.gravity));
-  add((is_urdf || is_yaml) && physics.step != kUsual.physics.step,
+  add((is_urdf || is_yaml) && physics.step != usual.physics.step,
       fmt::format("step {} s", physics.step));
-  add(is_yaml && physics.friction != kUsual.physics.friction,
+  add(is_yaml && physics.friction != usual.physics.friction,
       fmt::format("friction {}", physics.friction));
-  add(is_yaml && options.servo != kUsual.servo, "the servo's constants");
+  add(is_yaml && options.servo != usual.servo, "the servo's constants");
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 

@@ -35,13 +35,13 @@ TEST_CASE("The description has commands, options and what they take",
   CHECK(Find(root, "study run").positionals.size() == 1);
 
   const CommandDescription& check = Find(root, "check");
-  CHECK(check.summary == "Say whether files are correct genotypes");
+  CHECK(check.summary == "Say whether files are correct");
   CHECK(check.footer.find("plsc check robots/*.pls") != std::string::npos);
   CHECK(OptionOf(check, "--lint").kind == ValueKind::kNone);
   CHECK(OptionOf(check, "--max-errors").kind == ValueKind::kOther);
   CHECK(OptionOf(check, "--format").choices ==
         std::vector<std::string>{"text", "json", "sarif", "github"});
-  CHECK(check.positionals[0].kind == ValueKind::kGenotype);
+  CHECK(check.positionals[0].kind == ValueKind::kFile);
   CHECK(check.positionals[0].is_required);
   CHECK(check.positionals[0].is_repeated);
 
@@ -51,7 +51,8 @@ TEST_CASE("The description has commands, options and what they take",
   CHECK(OptionOf(trim, "-o").kind == ValueKind::kFile);
   CHECK_FALSE(trim.positionals[0].is_repeated);
   const CommandDescription& random = Find(root, "random");
-  CHECK(OptionOf(random, "--seed").is_required);
+  CHECK_FALSE(OptionOf(random, "--seed").is_required);
+  CHECK(OptionOf(Find(root, "mutate"), "--seed").is_required);
   CHECK(OptionOf(random, "--encoding").kind == ValueKind::kChoice);
   CHECK(OptionOf(Find(root, "simulate"), "--trajectory").kind ==
         ValueKind::kFolder);

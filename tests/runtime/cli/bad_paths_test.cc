@@ -73,6 +73,7 @@ const std::vector<std::string> kLines = {
     "why FILE:r.pls --module 1 --format json",
     "test PATH:r.pls --format json",
     "test PATH:r.pls -o --output:new.txt",
+    "random --seed 1 -o --output:new.pls",
     "random --experiment --experiment:e.yaml -o --output:new.pls",
     "import FILE:old.txt -o --output:new.pls",
     "mutate FILE:r.pls --seed 1 --experiment --experiment:e.yaml -o "
@@ -80,8 +81,9 @@ const std::vector<std::string> kLines = {
     "mutate FILE:r.pls --seed 1 --format json",
     "cross FIRST:r.pls SECOND:r.pls --seed 1 --experiment --experiment:e.yaml "
     "-o --output:new.pls",
-    "trim FILE:r.pls --scenario --scenario:s.yaml -o --output:new.pls",
+    "trim FILE:r.pls -o --output:new.pls",
     "trim FILE:r.pls --format json",
+    "trim FILE:r.pls --scenario --scenario:s.yaml -o --output:new.pls",
     "stats FILE:r.pls --format json",
     "hash FILE:r.pls",
     "man --all --all:new",

@@ -89,7 +89,7 @@ TEST_CASE("bash completes words, files and folders", "[completion_script]") {
         Words{"baseline"});
   CHECK(bash.Complete({"plsc", "completion", "z"}) == Words{"zsh"});
   CHECK(bash.Complete({"plsc", "study", "s"}) == Words{"status"});
-  CHECK(bash.Complete({"plsc", "check", ""}) ==
+  CHECK(bash.Complete({"plsc", "fmt", ""}) ==
         Words{"a.pls", "b c.pls", "robots"});
   CHECK(bash.Complete({"plsc", "trim", "a.pls", "-o", "no"}) ==
         Words{"notes.txt"});

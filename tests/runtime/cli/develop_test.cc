@@ -147,7 +147,7 @@ TEST_CASE("develop says when a picture cannot be written", "[develop]") {
   const std::string file = folder.Write("file", "");
   const auto ran = RunPlsc({"develop", "-", "--svg", file}, kPlasticText);
   CHECK(ran.exit == 1);
-  CHECK(ran.err.find("cannot write") != std::string::npos);
+  CHECK(ran.err.find("cannot make the folder") != std::string::npos);
   const auto didactic =
       RunPlsc({"develop", test::InRepository("examples/didactic.pls"), "--svg",
                folder / "pictures"});

@@ -177,10 +177,10 @@ TEST_CASE("test --output has the report, standard output the text", "[test]") {
     const auto direct = RunPlsc({"test", path, "--format", format});
     const auto text = RunPlsc({"test", path});
     const auto ran = RunPlsc(
-        {"test", path, "--format", format, "--output", folder / "report"});
+        {"test", path, "--format", format, "--output", folder / format});
     CHECK(ran.exit == 1);
     CHECK(ran.out == text.out);
-    CHECK(test::ReadFile(folder / "report") == direct.out);
+    CHECK(test::ReadFile(folder / format) == direct.out);
   }
   const auto failed =
       RunPlsc({"test", path, "--output", folder / "none/report"});

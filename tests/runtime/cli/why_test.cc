@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
@@ -141,13 +142,14 @@ TEST_CASE("why follows symbols of other alphabets, which have no parts",
           "[why]") {
   const std::string file = test::InRepository("examples/didactic.pls");
   const std::string text = test::ReadFile(file);
-  const std::size_t line =
-      static_cast<std::size_t>(std::count(
-          text.begin(),
-          text.begin() + static_cast<std::ptrdiff_t>(text.find("rule Y")),
-          '\n')) +
-      1;
-  const auto ran = RunPlsc({"why", file + ":" + std::to_string(line) + ":13"});
+  const std::size_t first =
+      text.find_first_not_of(" \n", text.find('{', text.find("rule Y")) + 1);
+  const auto line =
+      1 + std::count(text.begin(),
+                     text.begin() + static_cast<std::ptrdiff_t>(first), '\n');
+  const std::size_t column = first - text.rfind('\n', first);
+  const auto ran =
+      RunPlsc({"why", fmt::format("{}:{}:{}", file, line, column)});
   REQUIRE(ran.exit == 0);
   // X / X Y / X Y Z a / X Y Z a X Z a
   CHECK(ran.out.find("  inserted in iteration 2 for Y < X; replaced in "
