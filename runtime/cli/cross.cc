@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "compiler/verify.h"
+#include "grammar/shown_line.h"
 #include "runtime/cli/commands.h"
 #include "runtime/cli/load_yaml.h"
 #include "runtime/cli/offspring.h"
@@ -67,8 +68,8 @@ Exit Run(const CrossCommand& command, Io& io) {
   const auto second = LoadProgram(command.second, command.allow_range, io);
   if (!first || !second) return Exit::kBadInput;
   if (const char* problem = WhyNot(first->genotype, second->genotype)) {
-    io.err << fmt::format("error: {} and {}: {}\n", command.first,
-                          command.second, problem);
+    io.err << fmt::format("error: {} and {}: {}\n", Escaped(command.first),
+                          Escaped(command.second), problem);
     return Exit::kBadInput;
   }
   double probability = Experiment{}.crossover;
@@ -88,8 +89,9 @@ Exit Run(const CrossCommand& command, Io& io) {
     // The limits are the first parent's, the rules perhaps not.
     const auto broken = Verify(children.back().program.genotype);
     if (broken.empty()) continue;
-    io.err << fmt::format("error: a child of {} and {}: {}\n", command.first,
-                          command.second, broken.front());
+    io.err << fmt::format("error: a child of {} and {}: {}\n",
+                          Escaped(command.first), Escaped(command.second),
+                          broken.front());
     return Exit::kBadInput;
   }
   return DeliverChildren(std::move(children), output, io) ? Exit::kFine

@@ -124,7 +124,7 @@ bool WriteSvg(const DevelopCommand& command, const Genotype& genotype,
   if (!WriteOutput(output, BodySvg(body, genotype.name + ", " + named.name),
                    io))
     return false;
-  io.err << fmt::format("wrote {}\n", output.path);
+  io.err << fmt::format("wrote {}\n", Escaped(output.path));
   return true;
 }
 

@@ -70,8 +70,8 @@ std::optional<Version> ReadVersion(const std::string& path,
     return program.genotype.name != version.chosen;
   });
   if (!version.programs.empty()) return version;
-  io.err << fmt::format("error[P2019]: {} has no genotype '{}'\n", from.file,
-                        version.chosen);
+  io.err << fmt::format("error[P2019]: {} has no genotype '{}'\n",
+                        Escaped(from.file), version.chosen);
   return std::nullopt;
 }
 

@@ -181,7 +181,7 @@ Exit WritePicture(const DrawCommand& command, const std::string& svg, Io& io) {
   }
   if (!WriteOutput(OutputOf(command), bytes, io)) return Exit::kBadInput;
   if (command.output == kStandardOutput) return Exit::kFine;
-  io.err << fmt::format("wrote {}\n", command.output);
+  io.err << fmt::format("wrote {}\n", Escaped(command.output));
   return Exit::kFine;
 }
 

@@ -7,6 +7,7 @@
 
 #include "compiler/compile.h"
 #include "compiler/print.h"
+#include "grammar/shown_line.h"
 #include "runtime/cli/ask_tell.h"
 #include "runtime/cli/commands.h"
 #include "runtime/cli/interrupt.h"
@@ -159,7 +160,7 @@ class Evaluations {
   Exit Status() {
     if (InterruptHandler::is_interrupted()) return Exit::kInterrupted;
     if (pool_.failure()) {
-      io_.err << fmt::format("error: {}\n", *pool_.failure());
+      io_.err << fmt::format("error: {}\n", Escaped(*pool_.failure()));
       return Exit::kBadInput;
     }
     return failed_ == 0 ? Exit::kFine : Exit::kBadInput;

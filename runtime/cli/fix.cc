@@ -51,7 +51,8 @@ bool Deliver(const std::string& file, const MendedText& mended,
   if (mended.made.empty()) return true;
   const auto failure = WriteFile(file, mended.text);
   if (failure)
-    io.err << fmt::format("error: cannot write '{}': {}\n", file, *failure);
+    io.err << fmt::format("error: cannot write '{}': {}\n", Escaped(file),
+                          Escaped(*failure));
   return !failure;
 }
 

@@ -44,7 +44,8 @@ bool FormatOne(const std::string& file, const FmtCommand& command, Io& io) {
   if (is_same) return true;
   const auto failure = WriteFile(file, *formatted);
   if (failure)
-    io.err << fmt::format("error: cannot write '{}': {}\n", file, *failure);
+    io.err << fmt::format("error: cannot write '{}': {}\n", Escaped(file),
+                          Escaped(*failure));
   return !failure;
 }
 

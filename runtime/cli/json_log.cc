@@ -11,6 +11,7 @@
 #include <system_error>
 
 #include "runtime/cli/io.h"
+#include "runtime/cli/pipe_errors.h"
 #include "runtime/cli/progress.h"
 #include "runtime/formats/json_dump.h"
 
@@ -174,12 +175,15 @@ void JsonLog::Finish(Ending ending, const std::string& failure) {
 
 void JsonLog::Write(const std::string& line) {
   if (out_ == nullptr || failure_) return;
+  // A run outlives the reader of its log.
+  const PipeErrors are_errors;
   errno = 0;
   *out_ << line << std::endl;
-  if (!*out_)
-    failure_ =
-        fmt::format("cannot write to '{}': {}", path_,
-                    std::error_code(errno, std::generic_category()).message());
+  if (*out_) return;
+  failure_ =
+      fmt::format("cannot write to '{}': {}", path_,
+                  std::error_code(errno, std::generic_category()).message());
+  if (out_ == &file_) file_.close();  // which tries once more
 }
 
 }  // namespace plsc::cli

@@ -101,8 +101,8 @@ bool WriteMerge(const std::string& text, const MergeCommand& command, Io& io) {
     return WriteOutput(OutputOf(command), text, io);
   const auto failure = WriteFile(command.ours, text);
   if (failure)
-    io.err << fmt::format("error: cannot write '{}': {}\n", command.ours,
-                          *failure);
+    io.err << fmt::format("error: cannot write '{}': {}\n",
+                          Escaped(command.ours), *failure);
   return !failure;
 }
 

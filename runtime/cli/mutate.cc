@@ -1,4 +1,5 @@
 #include "runtime/evolve/mutate.h"
+#include "grammar/shown_line.h"
 
 #include <fmt/format.h>
 
@@ -84,7 +85,7 @@ bool CanVary(const Genotype& genotype, const std::string& path, Io& io) {
   else if (genotype.rules.empty())
     problem = "at least one rule is expected, to be mutated";
   if (problem != nullptr)
-    io.err << fmt::format("error: {}: {}\n", path, problem);
+    io.err << fmt::format("error: {}: {}\n", Escaped(path), problem);
   return problem == nullptr;
 }
 

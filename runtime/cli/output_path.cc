@@ -94,7 +94,7 @@ bool CanWrite(const Output& output, Io& io) {
   const auto problem = ProblemOf(output);
   if (problem)
     io.err << fmt::format("error: cannot write '{}': {}\n", Escaped(path),
-                          *problem);
+                          Escaped(*problem));
   return !problem;
 }
 
@@ -120,7 +120,7 @@ bool WriteOutput(const Output& output, std::string_view text, Io& io) {
   const auto failure = WriteFile(path, text);
   if (failure)
     io.err << fmt::format("error: cannot write '{}': {}\n", Escaped(path),
-                          *failure);
+                          Escaped(*failure));
   return !failure;
 }
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "compiler/print.h"
+#include "grammar/shown_line.h"
 
 namespace plsc::cli {
 
@@ -18,7 +19,7 @@ bool CanLive(const Scenario& scenario, const Genotype& genotype, Io& io) {
   const std::vector<Diagnostic> problems =
       CheckSenses(scenario, genotype.states);
   for (const Diagnostic& problem : problems)
-    io.err << fmt::format("error: {}\n", problem.message);
+    io.err << fmt::format("error: {}\n", Escaped(problem.message));
   return problems.empty();
 }
 

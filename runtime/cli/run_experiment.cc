@@ -11,6 +11,7 @@
 #include <ostream>
 #include <utility>
 
+#include "grammar/shown_line.h"
 #include "runtime/cli/interrupt.h"
 #include "runtime/cli/json_log.h"
 #include "runtime/cli/open_run.h"
@@ -226,6 +227,7 @@ SessionEnd EndOf(const RunOutcome& outcome) {
 
 Exit ExitOf(const RunOutcome& outcome, const std::string& path, Io& io) {
   const RunResult& result = outcome.result;
+  const std::string shown = Escaped(path);
   switch (result.ending) {
     case Ending::kFinished:
       return Exit::kFine;
@@ -233,13 +235,13 @@ Exit ExitOf(const RunOutcome& outcome, const std::string& path, Io& io) {
       io.err << fmt::format(
           "stopped after {} generations and {} evaluations, which are in {}; "
           "go on with\n  plsc evolve --resume {}\n",
-          result.generations, result.evaluations, path, path);
+          result.generations, result.evaluations, shown, shown);
       return Exit::kInterrupted;
     case Ending::kFailed:
       io.err << fmt::format(
           "error: {}\n{} generations and what was evaluated since are in {}; "
           "when the cause is mended, go on with\n  plsc evolve --resume {}\n",
-          result.failure, result.generations, path, path);
+          Escaped(result.failure), result.generations, shown, shown);
       return Exit::kBadInput;
   }
   return Exit::kBadInput;
@@ -271,7 +273,7 @@ RunOutcome ExecuteRun(const RunRequest& asked, Io& io) {
   for (const Failure& warning :
        {stores.cache ? stores.cache->warning() : Failure(),
         stores.log.failure()})
-    if (warning) io.err << fmt::format("warning: {}\n", *warning);
+    if (warning) io.err << fmt::format("warning: {}\n", Escaped(*warning));
   Failure closing = store.EndSession(EndOf(outcome));
   if (const Failure failure = store.Close(); failure && !closing)
     closing = failure;

@@ -106,7 +106,7 @@ void PrintDescriptors(const std::vector<SeasonResult>& results,
 
 bool Write(const Output& output, const std::string& text, Io& io) {
   if (!WriteOutput(output, text, io)) return false;
-  io.err << fmt::format("wrote {}\n", output.path);
+  io.err << fmt::format("wrote {}\n", Escaped(output.path));
   return true;
 }
 

@@ -121,8 +121,8 @@ bool Deliver(const TrimCommand& command, const Source& source,
   if (trimmed.text == source.text()) return true;
   const auto failure = WriteFile(source.name(), trimmed.text);
   if (failure)
-    io.err << fmt::format("error: cannot write '{}': {}\n", source.name(),
-                          *failure);
+    io.err << fmt::format("error: cannot write '{}': {}\n",
+                          Escaped(source.name()), *failure);
   return !failure;
 }
 

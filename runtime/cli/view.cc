@@ -2,6 +2,7 @@
 
 #include <ostream>
 
+#include "grammar/shown_line.h"
 #include "runtime/cli/commands.h"
 #include "runtime/cli/interrupt.h"
 #include "runtime/cli/output_path.h"
@@ -39,7 +40,7 @@ Exit Run(const ViewCommand& command, Io& io) {
   const std::string page =
       PageHtml(PageKind::kView, TitleOf(*lives), ViewJson(*lives));
   if (!WriteOutput(PageOf(command), page, io)) return Exit::kBadInput;
-  io.err << fmt::format("wrote {}\n", command.output);
+  io.err << fmt::format("wrote {}\n", Escaped(command.output));
   return Exit::kFine;
 }
 

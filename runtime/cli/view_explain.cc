@@ -6,6 +6,7 @@
 #include <utility>
 #include <variant>
 
+#include "grammar/shown_line.h"
 #include "runtime/cli/open_run.h"
 #include "runtime/cli/output_path.h"
 #include "runtime/cli/robot_source.h"
@@ -96,7 +97,7 @@ Exit Explain(const ViewCommand& command, Io& io) {
       PageHtml(PageKind::kExplain, robots.front().title + " explained",
                ExplainJson(robots));
   if (!WriteOutput(PageOf(command), page, io)) return Exit::kBadInput;
-  io.err << fmt::format("wrote {}\n", command.output);
+  io.err << fmt::format("wrote {}\n", Escaped(command.output));
   return Exit::kFine;
 }
 

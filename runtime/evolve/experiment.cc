@@ -252,7 +252,7 @@ int ReadPopulation(YamlMap& map, const char* key, int otherwise, int least) {
   const auto value = map.Find(key);
   if (!value) return otherwise;
   using Limits = std::numeric_limits<std::int64_t>;
-  const auto number = value->Integer(Limits::min(), Limits::max());
+  const auto number = value->Integer(Limits::min(), Limits::max(), otherwise);
   if (!number) return otherwise;
   if (*number >= least && *number <= kMaxPopulation)
     return static_cast<int>(*number);

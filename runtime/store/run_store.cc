@@ -209,6 +209,7 @@ Failure RunStore::OpenForReading(const std::string& path) {
 void RunStore::Discard() {
   Parts& parts = *parts_;
   parts.writer.reset();
+  parts.checks.reset();
   parts.reader.reset();
   parts.database.Close();
   if (parts.is_new && parts.lock.IsOn(parts.path))

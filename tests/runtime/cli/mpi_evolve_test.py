@@ -101,7 +101,7 @@ def start(marker, command):
     """A job that evolves at least one generation before this returns."""
     job = subprocess.Popen(command, env=ENVIRONMENT | {"PLSC_TEST": marker},
                            stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-                           text=True)
+                           text=True, errors="replace")
     seen = []
     for line in job.stdout:
         seen.append(line)
