@@ -12,7 +12,6 @@
 #include <string>
 
 #include "runtime/cli/pace.h"
-#include "runtime/cli/pipe_errors.h"
 #include "runtime/evolve/evolve.h"
 
 namespace plsc::cli {
@@ -57,7 +56,6 @@ class JsonLog {
   void WriteProgress(const char* event, double now);
   void Write(const std::string& line);
 
-  PipeErrors are_errors_;  // a reader that left ends the log, not the run
   std::ostream& standard_output_;
   std::ofstream file_;
   std::ostream* out_ = nullptr;  // nullptr: not open
