@@ -25,7 +25,7 @@ bool IsFormula(const std::string& text) {
 }  // namespace
 
 std::string CsvCell(const std::string& text) {
-  const std::string safe = IsFormula(text) ? "'" + text : text;
+  std::string safe = IsFormula(text) ? "'" + text : text;
   if (safe.find_first_of(",\"\r\n") == std::string::npos) return safe;
   std::string quoted = "\"";
   for (const char c : safe) {

@@ -166,6 +166,7 @@ Failure CsvExport::Write(const CsvTable& table, const Sink& sink) {
   if (Failure failure = database.TakeFailure()) return failure;
   if (Failure failure = sink(Header(rows))) return failure;
   std::vector<std::string> columns;
+  columns.reserve(static_cast<std::size_t>(rows.columns()));
   for (int i = 0; i < rows.columns(); ++i)
     columns.push_back(rows.ColumnName(i));
   rows.With();

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <utility>
 
 #include "runtime/evolve/experiment.h"
 #include "runtime/store/row_checks.h"
@@ -77,8 +78,8 @@ class Examination {
     return Damaged(database_, what);
   }
   /// Whether there is nothing to be noted.
-  bool Note(Failure failure) {
-    if (failure && !health_.problem) health_.problem = std::move(failure);
+  bool Note(const Failure& failure) {
+    if (!health_.problem) health_.problem = failure;
     return !failure;
   }
 
@@ -109,7 +110,7 @@ void Examination::CheckIndividual(int id, int generation, bool is_complete) {
   const auto all = static_cast<int>(experiment_.scenario.seasons.size());
   if (!failure && seasons != all && (is_complete || seasons != 0))
     failure = Wrong(fmt::format("robot {} lacks an evaluation", id));
-  if (Note(std::move(failure))) health_.evaluations.insert(id);
+  if (Note(failure)) health_.evaluations.insert(id);
 }
 
 void Examination::CheckGeneration(int number) {
