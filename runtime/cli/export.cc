@@ -30,7 +30,7 @@ std::string SystemReason(int error) {
 /// is written into. Of the C library, whose functions say why they failed.
 class NewFile {
  public:
-  explicit NewFile(std::string path)
+  explicit NewFile(const std::string& path)
       : path_(RealPath(path)),
         beside_(IsWrittenInto(path_) ? "" : NeighbourOf(path_)),
         // Exclusive: what has the neighbour's name is not ours.
