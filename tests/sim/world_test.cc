@@ -7,13 +7,6 @@
 
 #include "tests/sim/bodies.h"
 
-// A step of ODE that is interrupted loses 80 bytes of its own (sim/world.cc
-// keeps the rest in reach); all other leaks are told.
-// NOLINTNEXTLINE(bugprone-reserved-identifier,readability-identifier-naming)
-extern "C" const char* __lsan_default_suppressions() {
-  return "leak:PreallocateJobInfos";
-}
-
 namespace plsc {
 namespace {
 
