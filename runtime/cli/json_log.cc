@@ -130,7 +130,7 @@ void JsonLog::Start(const JsonLogStart& start) {
   last_.evaluations = start.evaluations;
   last_.total = start.total;
   Json json = Begin("start", clock_());
-  json["log"] = 1;  // of this format
+  json["log"] = 2;  // of this format; in 1 the seed was a number
   json["run"] = start.run;
   json["experiment"] = start.experiment;
   json["seed"] = std::to_string(start.seed);

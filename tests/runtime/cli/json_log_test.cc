@@ -74,6 +74,7 @@ TEST_CASE("the log has a start, generations and an end", "[json_log]") {
                                                      "seed", "generations",
                                                      "evaluations", "total"});
   CHECK(lines[0]["event"] == "start");
+  CHECK(lines[0]["log"] == 2);
   CHECK(lines[0]["seed"] == "7");
   CHECK(lines[1]["event"] == "generation");
   CHECK(lines[1]["generation"] == 0);
