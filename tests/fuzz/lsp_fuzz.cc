@@ -85,7 +85,8 @@ void AskEverythingAt(Server& server, Json params) {
   for (const char* method :
        {"textDocument/hover", "textDocument/definition",
         "textDocument/documentHighlight", "textDocument/references",
-        "textDocument/completion", "textDocument/prepareRename"})
+        "textDocument/completion", "textDocument/prepareRename",
+        "textDocument/signatureHelp"})
     Ask(server, method, params);
   params["newName"] = "fresh_name";
   const Json renamed = Ask(server, "textDocument/rename", params);
@@ -99,13 +100,13 @@ void AskEverything(Server& server, std::size_t lines) {
   Json params = {{"textDocument", document}};
   for (const char* method :
        {"textDocument/documentSymbol", "textDocument/formatting",
-        "textDocument/semanticTokens/full"})
+        "textDocument/foldingRange", "textDocument/semanticTokens/full"})
     Ask(server, method, params);
   params["range"] = {{"start", {{"line", 0}, {"character", 0}}},
                      {"end", {{"line", lines}, {"character", 0}}}};
   for (const char* method :
        {"textDocument/codeAction", "textDocument/inlayHint",
-        "textDocument/semanticTokens/range"})
+        "textDocument/rangeFormatting", "textDocument/semanticTokens/range"})
     Ask(server, method, params);
   for (std::size_t i = 0; i < kPlaces; ++i) {
     // Spread over lines and columns without any randomness.
