@@ -102,7 +102,7 @@ TEST_CASE("mutate makes of an import what the authors' program could make",
       "program.yaml", std::string(test::kTinyExperiment) +
                           "insertion: before_end\nremoval: by_value\n");
   const bool as_in_paper = GENERATE(true, false);
-  for (const std::uint64_t seed : {1, 2}) {
+  for (const std::uint64_t seed : {1u, 2u}) {
     CAPTURE(seed, as_in_paper);
     Rng rng({seed, 0, 0, Purpose::kInitialise});
     const auto text = AuthorsGenotypeText(Initialise({}, rng));

@@ -144,7 +144,7 @@ TEST_CASE("A deleted run's journal is nobody else's", "[companions]") {
   const std::string before = Everything(scratch);
   RunStore store;
   // Of another run, or of the same.
-  for (const std::uint64_t seed : {2, 1})
+  for (const std::uint64_t seed : {2u, 1u})
     CHECK(store.Create(path, WithSeed(seed)).value_or("").find(path + "-wal") !=
           std::string::npos);
   CHECK((Everything(scratch) == before));
@@ -152,7 +152,7 @@ TEST_CASE("A deleted run's journal is nobody else's", "[companions]") {
 
 TEST_CASE("A journal is not played back into another store", "[companions]") {
   // Even one of the same experiment and seed: pages of two files make a third.
-  for (const std::uint64_t seed : {2, 1}) {
+  for (const std::uint64_t seed : {2u, 1u}) {
     CAPTURE(seed);
     const Scratch scratch;
     const std::string path = scratch / "run";
