@@ -17,6 +17,7 @@
 #include "runtime/formats/body_text.h"
 #include "runtime/formats/history_json.h"
 #include "runtime/formats/history_text.h"
+#include "runtime/formats/json_dump.h"
 #include "runtime/formats/phenotype_json.h"
 #include "runtime/growth.h"
 
@@ -139,7 +140,7 @@ std::string JsonText(const Genotype& genotype, const Environment& environment,
   Json json = Json::parse(text);
   json["trace"] = HistoryJson(*view);
   // The file's name may be any bytes; JSON must stay UTF-8.
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+  return DumpJson(json);
 }
 
 // False when the history outgrows its limit.

@@ -2,6 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "runtime/formats/json_dump.h"
+
 namespace plsc::cli {
 
 namespace {
@@ -44,7 +46,7 @@ std::string DiagnosticJson(const Diagnostic& diagnostic, const Source& source) {
     json["fixes"].push_back(std::move(change));
   }
   // Text of the user's may be any bytes; JSON must stay UTF-8.
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+  return DumpJson(json);
 }
 
 }  // namespace plsc::cli

@@ -8,6 +8,7 @@
 #include "grammar/codes.h"
 #include "runtime/cli/explanations.h"
 #include "runtime/cli/version.h"
+#include "runtime/formats/json_dump.h"
 
 namespace plsc::cli {
 
@@ -151,7 +152,7 @@ std::string Sarif(const std::vector<CheckedFile>& files) {
   document["version"] = "2.1.0";
   document["runs"] = Json::array({std::move(run)});
   // Text of the user's may be any bytes; JSON must stay UTF-8.
-  return document.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return DumpJson(document, 2) + "\n";
 }
 
 }  // namespace plsc::cli

@@ -6,6 +6,8 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
+#include "runtime/formats/json_dump.h"
+
 namespace plsc::cli {
 
 namespace {
@@ -133,7 +135,7 @@ std::string TestJson(const TestedFile& tested) {
         {"differences", DifferencesJson(test.differences)},
         {"message", test.message}};
     // Names of files are bytes; what is no UTF-8 in them becomes U+FFFD.
-    lines += json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+    lines += DumpJson(json) + "\n";
   }
   return lines;
 }

@@ -12,6 +12,7 @@
 #include "runtime/cli/robot_source.h"
 #include "runtime/formats/environment_json.h"
 #include "runtime/formats/history_text.h"
+#include "runtime/formats/json_dump.h"
 #include "runtime/formats/provenance_json.h"
 #include "runtime/formats/provenance_text.h"
 
@@ -78,7 +79,7 @@ void PrintJson(const Genotype& genotype, const NamedEnvironment& named,
   json["environment"] = EnvironmentJson(named.environment, genotype.states);
   json.update(answer);
   // The file's name may be any bytes; JSON must stay UTF-8.
-  io.out << json.dump(-1, ' ', false, Json::error_handler_t::replace) << '\n';
+  io.out << DumpJson(json) << '\n';
 }
 
 std::string AbsenceText(const Phenotype& phenotype, const PhenotypePart& part) {

@@ -8,6 +8,7 @@
 #include "compiler/truth.h"
 #include "runtime/body_difference.h"
 #include "runtime/formats/history_json.h"
+#include "runtime/formats/json_dump.h"
 #include "runtime/formats/svg_style.h"
 #include "runtime/provenance.h"
 
@@ -249,7 +250,7 @@ std::string ExplainJson(const std::vector<ExplainedRobot>& robots) {
   for (const ExplainedRobot& robot : robots)
     json["robots"].push_back(RobotJson(robot));
   // The file's name may be any bytes; JSON must stay UTF-8.
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+  return DumpJson(json);
 }
 
 }  // namespace plsc

@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "runtime/formats/json_dump.h"
 #include "runtime/formats/json_place.h"
 
 namespace plsc::lsp {
@@ -11,7 +12,7 @@ namespace plsc::lsp {
 namespace {
 
 std::string Text(const Json& json) {
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+  return DumpJson(json);
 }
 
 bool IsId(const Json& id) {

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "runtime/formats/environment_json.h"
+#include "runtime/formats/json_dump.h"
 #include "runtime/report/comparison.h"
 #include "runtime/report/experiment_difference.h"
 #include "runtime/scenario_terrain.h"
@@ -366,7 +367,7 @@ std::string ReportJson(const StudyReport& report, const ReportMade& made) {
   json["regulation"] = RegulationJson(report);
   json["runs"] = RunsJson(report);
   json["constants"] = ConstantsJson(report);
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+  return DumpJson(json);
 }
 
 }  // namespace plsc

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "compiler/print.h"
+#include "runtime/formats/json_dump.h"
 #include "runtime/formats/season_json.h"
 #include "runtime/store/export.h"
 #include "runtime/store/heritage_json.h"
@@ -16,7 +17,7 @@ using Json = nlohmann::ordered_json;
 
 std::string Dump(const Json& json) {
   // What a damaged file has for a text may be no UTF-8.
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+  return DumpJson(json);
 }
 
 std::string RunLine(const RunStore& store) {

@@ -3,6 +3,8 @@
 #include <charconv>
 #include <nlohmann/json.hpp>
 
+#include "runtime/formats/json_dump.h"
+
 namespace plsc {
 
 namespace {
@@ -18,7 +20,7 @@ std::optional<Enum> Named(std::string_view name, Enum last, Name name_of) {
 
 std::string Dump(const Json& json) {
   // A text that is no UTF-8 would be an exception otherwise.
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+  return DumpJson(json);
 }
 
 Json Parse(const std::string& text) {
