@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "compiler/expectation.h"
 #include "compiler/genotype.h"
-#include "compiler/inline_test.h"
 
 namespace plsc {
 

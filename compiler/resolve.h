@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "compiler/inline_test.h"
+#include "compiler/expectation.h"
 #include "compiler/scope.h"
 #include "grammar/ast.h"
 

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "runtime/environment.h"
+#include "compiler/environment_text.h"
 #include "runtime/scenario_yaml.h"
 
 namespace plsc {

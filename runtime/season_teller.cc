@@ -7,8 +7,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "compiler/environment_text.h"
 #include "runtime/develop.h"
-#include "runtime/environment.h"
 
 namespace plsc {
 

@@ -5,11 +5,11 @@
 #include <utility>
 
 #include "compiler/compile.h"
+#include "compiler/environment_text.h"
 #include "compiler/written_difference.h"
 #include "grammar/shown_line.h"
 #include "runtime/cli/commands.h"
 #include "runtime/cli/program.h"
-#include "runtime/environment.h"
 #include "runtime/formats/difference_json.h"
 #include "runtime/formats/difference_text.h"
 #include "runtime/formats/unified_diff.h"

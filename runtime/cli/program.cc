@@ -9,11 +9,11 @@
 #include <system_error>
 #include <utility>
 
+#include "compiler/environment_text.h"
 #include "compiler/print.h"
 #include "grammar/shown_line.h"
 #include "grammar/suggest.h"
 #include "runtime/derive.h"
-#include "runtime/environment.h"
 #include "runtime/growth.h"
 #include "runtime/lint.h"
 

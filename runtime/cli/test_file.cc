@@ -8,10 +8,10 @@
 #include <system_error>
 
 #include "compiler/compile.h"
+#include "compiler/environment_text.h"
 #include "grammar/shown_line.h"
 #include "runtime/cli/io.h"
 #include "runtime/derive.h"
-#include "runtime/environment.h"
 #include "runtime/formats/golden_json.h"
 #include "runtime/inline_test.h"
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "runtime/environment.h"
+#include "compiler/environment_text.h"
 
 namespace plsc {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "runtime/environment.h"
+#include "compiler/environment_text.h"
 
 namespace plsc::lsp {
 

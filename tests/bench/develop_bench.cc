@@ -12,9 +12,9 @@
 #include <functional>
 
 #include "compiler/compile.h"
+#include "compiler/environment_text.h"
 #include "runtime/descriptors.h"
 #include "runtime/develop.h"
-#include "runtime/environment.h"
 #include "tests/allocations.h"
 #include "tests/bench/stopwatch.h"
 #include "tests/runtime/reference_cases.h"

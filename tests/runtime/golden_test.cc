@@ -2,7 +2,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "runtime/environment.h"
+#include "compiler/environment_text.h"
 #include "tests/runtime/compile_text.h"
 
 namespace plsc {

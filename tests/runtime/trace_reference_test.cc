@@ -4,8 +4,8 @@
 #include <cstring>
 
 #include "compiler/compile.h"
+#include "compiler/environment_text.h"
 #include "runtime/develop.h"
-#include "runtime/environment.h"
 #include "runtime/formats/phenotype_json.h"
 #include "runtime/provenance.h"
 #include "tests/runtime/compile_text.h"

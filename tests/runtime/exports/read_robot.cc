@@ -2,8 +2,8 @@
 
 #include <catch2/catch.hpp>
 
+#include "compiler/environment_text.h"
 #include "runtime/develop.h"
-#include "runtime/environment.h"
 #include "tests/runtime/compile_text.h"
 #include "tests/runtime/reference_cases.h"
 #include "tests/sim/golden_robots.h"

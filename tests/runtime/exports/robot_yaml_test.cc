@@ -5,8 +5,8 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
+#include "compiler/environment_text.h"
 #include "runtime/develop.h"
-#include "runtime/environment.h"
 #include "tests/runtime/compile_text.h"
 #include "tests/runtime/exports/read_robot.h"
 #include "tests/runtime/reference_cases.h"

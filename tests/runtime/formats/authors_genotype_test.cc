@@ -7,9 +7,9 @@
 #include <cmath>
 #include <optional>
 
+#include "compiler/environment_text.h"
 #include "compiler/print.h"
 #include "runtime/develop.h"
-#include "runtime/environment.h"
 #include "runtime/formats/phenotype_json.h"
 #include "tests/runtime/compile_text.h"
 #include "tests/runtime/reference_cases.h"

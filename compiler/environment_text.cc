@@ -1,4 +1,4 @@
-#include "runtime/environment.h"
+#include "compiler/environment_text.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "compiler/inline_test.h"
+#include "compiler/expectation.h"
 
 #include <array>
 
