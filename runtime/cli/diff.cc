@@ -4,9 +4,9 @@
 #include <ostream>
 #include <utility>
 
+#include "compiler/changes/written_difference.h"
 #include "compiler/compile.h"
 #include "compiler/environment_text.h"
-#include "compiler/written_difference.h"
 #include "grammar/shown_line.h"
 #include "runtime/cli/commands.h"
 #include "runtime/cli/program.h"

@@ -5,9 +5,9 @@
 #include <ostream>
 #include <utility>
 
+#include "compiler/changes/merge_lines.h"
+#include "compiler/changes/merge_program.h"
 #include "compiler/compile.h"
-#include "compiler/merge_lines.h"
-#include "compiler/merge_program.h"
 #include "grammar/shown_line.h"
 #include "runtime/cli/commands.h"
 #include "runtime/cli/output_path.h"

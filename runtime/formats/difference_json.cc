@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "compiler/merge_parts.h"
+#include "compiler/changes/merge_parts.h"
 
 namespace plsc {
 

@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "compiler/merge_parts.h"
+#include "compiler/changes/merge_parts.h"
 
 namespace plsc {
 

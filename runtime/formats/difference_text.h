@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "compiler/written_difference.h"
+#include "compiler/changes/written_difference.h"
 #include "runtime/robot_difference.h"
 
 namespace plsc {

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "compiler/line_edits.h"
+#include "compiler/changes/line_edits.h"
 #include "grammar/shown_line.h"
 
 namespace plsc {

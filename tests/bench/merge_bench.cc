@@ -9,8 +9,8 @@
 #include <string>
 #include <string_view>
 
+#include "compiler/changes/merge_program.h"
 #include "compiler/compile.h"
-#include "compiler/merge_program.h"
 #include "compiler/print.h"
 #include "tests/runtime/merge/mutation_pair.h"
 

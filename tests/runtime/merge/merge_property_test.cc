@@ -3,9 +3,9 @@
 
 #include <catch2/catch.hpp>
 
+#include "compiler/changes/merge_program.h"
 #include "compiler/compile.h"
 #include "compiler/format.h"
-#include "compiler/merge_program.h"
 #include "compiler/print.h"
 #include "tests/compiler/random_genotype.h"
 #include "tests/runtime/merge/mutation_pair.h"

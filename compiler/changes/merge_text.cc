@@ -1,0 +1,85 @@
+#include "compiler/changes/merge_text.h"
+
+#include <algorithm>
+#include <cctype>
+
+#include "compiler/changes/written_items.h"
+
+namespace plsc {
+
+namespace {
+
+bool IsOfWord(char c) {
+  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' ||
+         c == '.' || c == '-';
+}
+
+}  // namespace
+
+std::optional<std::string> MergeText(const TextVersion& base,
+                                     const TextVersion& ours,
+                                     const TextVersion& theirs) {
+  if (ours.text == theirs.text || theirs.text == base.text)
+    return std::string(ours.text);
+  if (ours.text == base.text) return std::string(theirs.text);
+  const auto old_comments = CommentsIn(base.text);
+  const auto our_comments = CommentsIn(ours.text);
+  const auto their_comments = CommentsIn(theirs.text);
+  const bool is_ours_changed = ours.content != base.content;
+  const bool is_theirs_changed = theirs.content != base.content;
+  if (is_ours_changed && is_theirs_changed && ours.content != theirs.content)
+    return std::nullopt;
+  const bool takes_ours =
+      is_ours_changed != is_theirs_changed
+          ? is_ours_changed
+          : our_comments != old_comments || their_comments == old_comments;
+  const auto& taken = takes_ours ? our_comments : their_comments;
+  const auto& left = takes_ours ? their_comments : our_comments;
+  if (left != old_comments && left != taken) return std::nullopt;
+  return std::string(takes_ours ? ours.text : theirs.text);
+}
+
+std::optional<std::string> MergeBlanks(std::string_view base,
+                                       std::string_view ours,
+                                       std::string_view theirs) {
+  return MergeText({"", base}, {"", ours}, {"", theirs});
+}
+
+void TextJoiner::Append(std::string_view piece) {
+  if (piece.empty()) return;
+  const std::size_t first = piece.find_first_not_of(" \t\r");
+  const bool begins_line =
+      first != std::string_view::npos && piece[first] == '\n';
+  if (is_own_line_ && begins_line) {
+    is_own_line_ = false;
+    return Append(piece.substr(first + 1));
+  }
+  is_own_line_ = false;
+  if (is_comment_ && !begins_line) Add("\n");
+  if (!text_.empty() && IsOfWord(text_.back()) && IsOfWord(piece.front()))
+    Add(" ");
+  Add(piece);
+}
+
+void TextJoiner::AppendLine(std::string_view line) {
+  if (column_ > 0) Add("\n");
+  Add(line);
+  Add("\n");
+  is_own_line_ = true;
+}
+
+void TextJoiner::Add(std::string_view piece) {
+  text_ += piece;
+  lines_ += static_cast<int>(std::count(piece.begin(), piece.end(), '\n'));
+  const std::size_t end = piece.rfind('\n');
+  const std::string_view last =
+      end == std::string_view::npos ? piece : piece.substr(end + 1);
+  if (end != std::string_view::npos) {
+    column_ = 0;
+    is_comment_ = false;
+  }
+  column_ += last.size();
+  is_comment_ = is_comment_ || last.find('#') != std::string_view::npos;
+}
+
+}  // namespace plsc
