@@ -7,8 +7,8 @@
 #include <optional>
 #include <vector>
 
-#include "runtime/key.h"
 #include "runtime/regulate.h"
+#include "runtime/text/key.h"
 #include "sim/phenotype.h"
 
 namespace plsc {

@@ -5,7 +5,7 @@
 // meaning, and the genotype's own name.
 
 #include "compiler/genotype.h"
-#include "runtime/key.h"
+#include "runtime/text/key.h"
 
 namespace plsc {
 

@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "runtime/evaluation.h"
-#include "runtime/key.h"
 #include "runtime/simulated.h"
+#include "runtime/text/key.h"
 
 namespace plsc {
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "compiler/program.h"
-#include "runtime/key.h"
+#include "runtime/text/key.h"
 
 namespace plsc {
 

@@ -6,7 +6,7 @@
 #include <set>
 #include <string>
 
-#include "runtime/yaml_reader.h"
+#include "runtime/text/yaml_reader.h"
 #include "sim/options.h"
 
 namespace plsc {

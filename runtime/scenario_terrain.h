@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "runtime/yaml_reader.h"
+#include "runtime/text/yaml_reader.h"
 #include "sim/terrain.h"
 
 namespace plsc {

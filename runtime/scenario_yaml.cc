@@ -10,7 +10,7 @@
 #include "runtime/scenario_physics.h"
 #include "runtime/scenario_profile.h"
 #include "runtime/scenario_terrain.h"
-#include "runtime/yaml_text.h"
+#include "runtime/text/yaml_text.h"
 
 namespace plsc {
 

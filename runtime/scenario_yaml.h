@@ -6,7 +6,7 @@
 #include <string>
 
 #include "runtime/scenario.h"
-#include "runtime/yaml_reader.h"
+#include "runtime/text/yaml_reader.h"
 
 namespace plsc {
 

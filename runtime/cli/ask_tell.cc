@@ -7,10 +7,10 @@
 #include <string_view>
 
 #include "runtime/cli/diagnostic_json.h"
-#include "runtime/formats/json_place.h"
-#include "runtime/formats/json_reader.h"
-#include "runtime/formats/json_text.h"
 #include "runtime/formats/season_json.h"
+#include "runtime/text/json_place.h"
+#include "runtime/text/json_reader.h"
+#include "runtime/text/json_text.h"
 
 namespace plsc::cli {
 

@@ -17,9 +17,9 @@
 #include "runtime/formats/body_text.h"
 #include "runtime/formats/history_json.h"
 #include "runtime/formats/history_text.h"
-#include "runtime/formats/json_dump.h"
 #include "runtime/formats/phenotype_json.h"
 #include "runtime/growth.h"
+#include "runtime/text/json_dump.h"
 
 namespace plsc::cli {
 

@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "runtime/formats/json_dump.h"
+#include "runtime/text/json_dump.h"
 
 namespace plsc::cli {
 

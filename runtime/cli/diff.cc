@@ -12,7 +12,7 @@
 #include "runtime/cli/program.h"
 #include "runtime/formats/difference_json.h"
 #include "runtime/formats/difference_text.h"
-#include "runtime/formats/unified_diff.h"
+#include "runtime/text/unified_diff.h"
 
 namespace plsc::cli {
 

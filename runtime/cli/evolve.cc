@@ -11,7 +11,7 @@
 #include "runtime/cli/robot_text.h"
 #include "runtime/cli/run_experiment.h"
 #include "runtime/evolve/judge.h"
-#include "runtime/formats/json_dump.h"
+#include "runtime/text/json_dump.h"
 
 namespace plsc::cli {
 

@@ -5,7 +5,7 @@
 #include "compiler/format.h"
 #include "grammar/shown_line.h"
 #include "runtime/cli/commands.h"
-#include "runtime/formats/unified_diff.h"
+#include "runtime/text/unified_diff.h"
 
 namespace plsc::cli {
 

@@ -13,7 +13,7 @@
 #include "runtime/cli/io.h"
 #include "runtime/cli/pipe_errors.h"
 #include "runtime/cli/progress.h"
-#include "runtime/formats/json_dump.h"
+#include "runtime/text/json_dump.h"
 
 namespace plsc::cli {
 

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "compiler/print.h"
-#include "runtime/formats/json_dump.h"
+#include "runtime/text/json_dump.h"
 
 namespace plsc::cli {
 

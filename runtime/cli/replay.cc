@@ -14,8 +14,8 @@
 #include "runtime/evolve/judging.h"
 #include "runtime/evolve/worker_count.h"
 #include "runtime/evolve/worker_pool.h"
-#include "runtime/formats/json_dump.h"
 #include "runtime/store/verify.h"
+#include "runtime/text/json_dump.h"
 
 namespace plsc::cli {
 

@@ -8,7 +8,7 @@
 #include "grammar/codes.h"
 #include "runtime/cli/explanations.h"
 #include "runtime/cli/version.h"
-#include "runtime/formats/json_dump.h"
+#include "runtime/text/json_dump.h"
 
 namespace plsc::cli {
 

@@ -8,11 +8,11 @@
 #include "runtime/cli/interrupt.h"
 #include "runtime/cli/load_yaml.h"
 #include "runtime/cli/run_experiment.h"
-#include "runtime/formats/json_dump.h"
 #include "runtime/store/shared_cache.h"
 #include "runtime/study/run_study.h"
 #include "runtime/study/slice.h"
 #include "runtime/study/study_folder.h"
+#include "runtime/text/json_dump.h"
 
 namespace plsc::cli {
 

@@ -6,9 +6,9 @@
 
 #include "grammar/shown_line.h"
 #include "runtime/cli/commands.h"
-#include "runtime/formats/json_dump.h"
 #include "runtime/study/run_report.h"
 #include "runtime/study/study_folder.h"
+#include "runtime/text/json_dump.h"
 
 namespace plsc::cli {
 

@@ -12,9 +12,9 @@
 #include "runtime/cli/robot_source.h"
 #include "runtime/formats/environment_json.h"
 #include "runtime/formats/history_text.h"
-#include "runtime/formats/json_dump.h"
 #include "runtime/formats/provenance_json.h"
 #include "runtime/formats/provenance_text.h"
+#include "runtime/text/json_dump.h"
 
 namespace plsc::cli {
 

@@ -9,8 +9,8 @@
 #include "compiler/limits.h"
 #include "grammar/keywords.h"
 #include "runtime/scenario_yaml.h"
-#include "runtime/yaml_reader.h"
-#include "runtime/yaml_text.h"
+#include "runtime/text/yaml_reader.h"
+#include "runtime/text/yaml_text.h"
 
 namespace plsc {
 

@@ -6,8 +6,8 @@
 #include <optional>
 #include <string>
 
-#include "runtime/key.h"
 #include "runtime/simulated.h"
+#include "runtime/text/key.h"
 
 namespace plsc {
 

@@ -4,8 +4,8 @@
 
 #include "runtime/exports/exported_ground.h"
 #include "runtime/exports/number_text.h"
-#include "runtime/exports/xml_text.h"
 #include "runtime/scenario_terrain.h"
+#include "runtime/text/xml_text.h"
 #include "sim/ground.h"
 
 namespace plsc {

@@ -10,8 +10,8 @@
 
 #include "runtime/descriptors.h"
 #include "runtime/formats/golden_json.h"
-#include "runtime/formats/json_reader.h"
-#include "runtime/formats/json_text.h"
+#include "runtime/text/json_reader.h"
+#include "runtime/text/json_text.h"
 
 namespace plsc {
 

@@ -9,11 +9,11 @@
 #include <span>
 #include <utility>
 
-#include "runtime/formats/json_reader.h"
-#include "runtime/formats/json_text.h"
 #include "runtime/formats/recording_json.h"
 #include "runtime/formats/track_text.h"
 #include "runtime/scenario_terrain.h"
+#include "runtime/text/json_reader.h"
+#include "runtime/text/json_text.h"
 
 namespace plsc {
 

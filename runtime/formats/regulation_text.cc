@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "compiler/print.h"
-#include "runtime/formats/aligned_rows.h"
 #include "runtime/regulate.h"
+#include "runtime/text/aligned_rows.h"
 
 namespace plsc {
 

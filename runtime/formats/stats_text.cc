@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "compiler/print.h"
-#include "runtime/formats/aligned_rows.h"
-#include "runtime/formats/json_dump.h"
+#include "runtime/text/aligned_rows.h"
+#include "runtime/text/json_dump.h"
 
 namespace plsc {
 

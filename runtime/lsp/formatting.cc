@@ -8,8 +8,8 @@
 #include "compiler/compile.h"
 #include "compiler/format.h"
 #include "grammar/parse.h"
-#include "runtime/formats/unified_diff.h"
 #include "runtime/lsp/text_edits.h"
+#include "runtime/text/unified_diff.h"
 
 namespace plsc::lsp {
 

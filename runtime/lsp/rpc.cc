@@ -4,8 +4,8 @@
 
 #include <utility>
 
-#include "runtime/formats/json_dump.h"
-#include "runtime/formats/json_place.h"
+#include "runtime/text/json_dump.h"
+#include "runtime/text/json_place.h"
 
 namespace plsc::lsp {
 

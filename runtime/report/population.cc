@@ -7,8 +7,8 @@
 #include <unordered_map>
 #include <utility>
 
-#include "runtime/key.h"
 #include "runtime/store/names.h"
+#include "runtime/text/key.h"
 
 namespace plsc {
 

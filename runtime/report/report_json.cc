@@ -10,10 +10,10 @@
 #include <utility>
 
 #include "runtime/formats/environment_json.h"
-#include "runtime/formats/json_dump.h"
 #include "runtime/report/comparison.h"
 #include "runtime/report/experiment_difference.h"
 #include "runtime/scenario_terrain.h"
+#include "runtime/text/json_dump.h"
 
 namespace plsc {
 

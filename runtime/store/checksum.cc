@@ -4,8 +4,8 @@
 
 #include <string>
 
-#include "runtime/key.h"
 #include "runtime/store/schema.h"
+#include "runtime/text/key.h"
 
 namespace plsc {
 

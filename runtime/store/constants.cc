@@ -5,7 +5,7 @@
 #include <cassert>
 #include <charconv>
 
-#include "runtime/yaml_reader.h"
+#include "runtime/text/yaml_reader.h"
 
 namespace plsc {
 

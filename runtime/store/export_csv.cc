@@ -5,12 +5,12 @@
 #include <set>
 #include <utility>
 
-#include "runtime/formats/csv_cell.h"
 #include "runtime/formats/environment_json.h"
 #include "runtime/store/database.h"
 #include "runtime/store/export.h"
 #include "runtime/store/names.h"
 #include "runtime/store/verify.h"
+#include "runtime/text/csv_cell.h"
 
 namespace plsc {
 

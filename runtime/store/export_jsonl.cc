@@ -3,11 +3,11 @@
 #include <nlohmann/json.hpp>
 
 #include "compiler/print.h"
-#include "runtime/formats/json_dump.h"
 #include "runtime/formats/season_json.h"
 #include "runtime/store/export.h"
 #include "runtime/store/heritage_json.h"
 #include "runtime/store/verify.h"
+#include "runtime/text/json_dump.h"
 
 namespace plsc {
 

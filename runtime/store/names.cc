@@ -3,7 +3,7 @@
 #include <charconv>
 #include <nlohmann/json.hpp>
 
-#include "runtime/formats/json_dump.h"
+#include "runtime/text/json_dump.h"
 
 namespace plsc {
 

@@ -11,7 +11,7 @@
 
 #include "runtime/evaluation.h"
 #include "runtime/evolve/mutate.h"
-#include "runtime/key.h"
+#include "runtime/text/key.h"
 
 namespace plsc {
 

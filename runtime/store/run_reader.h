@@ -13,9 +13,9 @@
 #include "runtime/evolve/individual.h"
 #include "runtime/evolve/run_observer.h"
 #include "runtime/evolve/saved_run.h"
-#include "runtime/key.h"
 #include "runtime/simulated.h"
 #include "runtime/store/database.h"
+#include "runtime/text/key.h"
 
 namespace plsc {
 

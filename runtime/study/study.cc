@@ -7,9 +7,9 @@
 #include <unordered_set>
 #include <utility>
 
-#include "runtime/key.h"
-#include "runtime/yaml_reader.h"
-#include "runtime/yaml_text.h"
+#include "runtime/text/key.h"
+#include "runtime/text/yaml_reader.h"
+#include "runtime/text/yaml_text.h"
 
 namespace plsc {
 

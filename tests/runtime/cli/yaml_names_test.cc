@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "runtime/study/study.h"
-#include "runtime/yaml_reader.h"
-#include "runtime/yaml_text.h"
+#include "runtime/text/yaml_reader.h"
+#include "runtime/text/yaml_text.h"
 #include "tests/runtime/cli/run_plsc.h"
 #include "tests/runtime/cli/shell.h"
 

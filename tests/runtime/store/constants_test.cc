@@ -7,7 +7,7 @@
 #include <string>
 
 #include "runtime/scenario_profile.h"
-#include "runtime/yaml_reader.h"
+#include "runtime/text/yaml_reader.h"
 
 namespace plsc {
 

@@ -1,9 +1,9 @@
-#include "runtime/formats/json_text.h"
+#include "runtime/text/json_text.h"
 
 #include <catch2/catch.hpp>
 #include <string>
 
-#include "runtime/formats/json_place.h"
+#include "runtime/text/json_place.h"
 
 namespace plsc {
 namespace {

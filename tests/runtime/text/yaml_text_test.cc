@@ -1,8 +1,8 @@
-#include "runtime/yaml_text.h"
+#include "runtime/text/yaml_text.h"
 
 #include <catch2/catch.hpp>
 
-#include "runtime/yaml_reader.h"
+#include "runtime/text/yaml_reader.h"
 
 namespace plsc {
 namespace {

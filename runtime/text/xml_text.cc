@@ -1,4 +1,4 @@
-#include "runtime/exports/xml_text.h"
+#include "runtime/text/xml_text.h"
 
 #include "runtime/formats/svg_style.h"
 

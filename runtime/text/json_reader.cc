@@ -1,4 +1,4 @@
-#include "runtime/formats/json_reader.h"
+#include "runtime/text/json_reader.h"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "grammar/suggest.h"
-#include "runtime/formats/json_place.h"
+#include "runtime/text/json_place.h"
 
 namespace plsc {
 

@@ -1,4 +1,4 @@
-#include "runtime/yaml_words.h"
+#include "runtime/text/yaml_words.h"
 
 #include <algorithm>
 #include <array>

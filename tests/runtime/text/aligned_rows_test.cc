@@ -1,4 +1,4 @@
-#include "runtime/formats/aligned_rows.h"
+#include "runtime/text/aligned_rows.h"
 
 #include <catch2/catch.hpp>
 

@@ -1,4 +1,4 @@
-#include "runtime/formats/json_reader.h"
+#include "runtime/text/json_reader.h"
 
 #include <array>
 #include <catch2/catch.hpp>

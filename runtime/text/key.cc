@@ -1,4 +1,4 @@
-#include "runtime/key.h"
+#include "runtime/text/key.h"
 
 #include <fmt/format.h>
 #include <xxhash.h>

@@ -1,4 +1,4 @@
-#include "runtime/formats/csv_cell.h"
+#include "runtime/text/csv_cell.h"
 
 #include <charconv>
 #include <string_view>

@@ -1,4 +1,4 @@
-#include "runtime/yaml_reader.h"
+#include "runtime/text/yaml_reader.h"
 
 #include <fmt/format.h>
 #include <yaml-cpp/eventhandler.h>
@@ -11,7 +11,7 @@
 
 #include "grammar/screen.h"
 #include "grammar/suggest.h"
-#include "runtime/yaml_words.h"
+#include "runtime/text/yaml_words.h"
 
 namespace plsc {
 

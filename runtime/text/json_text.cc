@@ -1,4 +1,4 @@
-#include "runtime/formats/json_text.h"
+#include "runtime/text/json_text.h"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "grammar/screen.h"
-#include "runtime/formats/json_place.h"
+#include "runtime/text/json_place.h"
 
 namespace plsc {
 

@@ -1,4 +1,4 @@
-#include "runtime/formats/unified_diff.h"
+#include "runtime/text/unified_diff.h"
 
 #include <fmt/format.h>
 

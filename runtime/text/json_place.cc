@@ -1,4 +1,4 @@
-#include "runtime/formats/json_place.h"
+#include "runtime/text/json_place.h"
 
 #include <unordered_set>
 

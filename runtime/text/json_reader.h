@@ -22,7 +22,8 @@ struct JsonValue {
   std::string step;  ///< key or position in the parent
 };
 
-/// Codes as those of runtime/yaml_reader.cc. What is wrong reads as a default.
+/// Codes as those of runtime/text/yaml_reader.cc. What is wrong reads as a
+/// default.
 class JsonReader {
  public:
   explicit JsonReader(const Source& source) : source_(source) {}

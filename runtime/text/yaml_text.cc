@@ -1,11 +1,11 @@
-#include "runtime/yaml_text.h"
+#include "runtime/text/yaml_text.h"
 
 #include <fmt/format.h>
 #include <yaml-cpp/yaml.h>
 
 #include <algorithm>
 
-#include "runtime/yaml_words.h"
+#include "runtime/text/yaml_words.h"
 
 namespace plsc {
 

@@ -1,4 +1,4 @@
-#include "runtime/yaml_quantity.h"
+#include "runtime/text/quantity.h"
 
 #include <catch2/catch.hpp>
 #include <numbers>

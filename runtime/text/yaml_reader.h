@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "grammar/diagnostic.h"
-#include "runtime/yaml_quantity.h"
+#include "runtime/text/quantity.h"
 
 namespace plsc {
 

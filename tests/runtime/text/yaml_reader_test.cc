@@ -1,4 +1,4 @@
-#include "runtime/yaml_reader.h"
+#include "runtime/text/yaml_reader.h"
 
 #include <catch2/catch.hpp>
 #include <string>

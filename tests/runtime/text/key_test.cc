@@ -1,4 +1,4 @@
-#include "runtime/key.h"
+#include "runtime/text/key.h"
 
 #include <catch2/catch.hpp>
 #include <set>
