@@ -14,8 +14,8 @@
 #include "runtime/cli/line_reader.h"
 #include "runtime/cli/load_yaml.h"
 #include "runtime/evolve/judge.h"
-#include "runtime/evolve/worker_count.h"
-#include "runtime/evolve/worker_pool.h"
+#include "runtime/workers/worker_count.h"
+#include "runtime/workers/worker_pool.h"
 
 namespace plsc::cli {
 

@@ -12,10 +12,10 @@
 #include "runtime/cli/replay_compare.h"
 #include "runtime/evolve/judge.h"
 #include "runtime/evolve/judging.h"
-#include "runtime/evolve/worker_count.h"
-#include "runtime/evolve/worker_pool.h"
 #include "runtime/store/verify.h"
 #include "runtime/text/json_dump.h"
+#include "runtime/workers/worker_count.h"
+#include "runtime/workers/worker_pool.h"
 
 namespace plsc::cli {
 

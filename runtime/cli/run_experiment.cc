@@ -17,12 +17,12 @@
 #include "runtime/cli/open_run.h"
 #include "runtime/cli/progress.h"
 #include "runtime/evolve/judge.h"
-#include "runtime/evolve/worker_count.h"
-#include "runtime/evolve/worker_pool.h"
 #include "runtime/store/lock.h"
 #include "runtime/store/run_store.h"
 #include "runtime/store/salvage.h"
 #include "runtime/store/shared_cache.h"
+#include "runtime/workers/worker_count.h"
+#include "runtime/workers/worker_pool.h"
 
 namespace plsc::cli {
 

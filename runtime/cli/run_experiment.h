@@ -8,7 +8,7 @@
 
 #include "runtime/cli/io.h"
 #include "runtime/evolve/evolve.h"
-#include "runtime/evolve/mpi_session.h"
+#include "runtime/workers/mpi_session.h"
 
 namespace plsc::cli {
 

@@ -11,7 +11,7 @@
 #include "runtime/cli/test_files.h"
 #include "runtime/cli/test_junit.h"
 #include "runtime/cli/test_report.h"
-#include "runtime/evolve/worker_count.h"
+#include "runtime/workers/worker_count.h"
 
 namespace plsc::cli {
 

@@ -10,8 +10,8 @@
 #include "runtime/evolve/breed.h"
 #include "runtime/evolve/judge.h"
 #include "runtime/evolve/select.h"
-#include "runtime/evolve/worker_count.h"
-#include "runtime/evolve/worker_pool.h"
+#include "runtime/workers/worker_count.h"
+#include "runtime/workers/worker_pool.h"
 
 namespace plsc {
 

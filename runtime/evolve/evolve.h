@@ -19,7 +19,7 @@
 #include "runtime/evolve/saved_run.h"
 #include "runtime/evolve/season_progress.h"
 #include "runtime/evolve/simulation_cache.h"
-#include "runtime/evolve/workers.h"
+#include "runtime/workers/workers.h"
 
 namespace plsc {
 

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "runtime/evolve/experiment.h"
-#include "runtime/evolve/workers.h"
 #include "runtime/life_plan.h"
+#include "runtime/workers/workers.h"
 
 namespace plsc {
 

@@ -15,8 +15,8 @@
 
 #include "runtime/evolve/individual.h"
 #include "runtime/evolve/simulation_cache.h"
-#include "runtime/evolve/workers.h"
 #include "runtime/life_plan.h"
+#include "runtime/workers/workers.h"
 
 namespace plsc {
 

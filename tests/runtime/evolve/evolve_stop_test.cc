@@ -13,7 +13,7 @@
 
 #include "runtime/evolve/evolve.h"
 #include "tests/runtime/evolve/fake_run.h"
-#include "tests/runtime/evolve/here.h"
+#include "tests/runtime/workers/here.h"
 
 namespace plsc {
 

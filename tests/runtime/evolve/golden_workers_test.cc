@@ -5,7 +5,7 @@
 #include <map>
 #include <string>
 
-#include "runtime/evolve/worker_pool.h"
+#include "runtime/workers/worker_pool.h"
 #include "tests/sim/golden_robots.h"
 
 namespace plsc {

@@ -15,9 +15,9 @@
 #include "runtime/evolve/judging.h"
 #include "tests/runtime/compile_text.h"
 #include "tests/runtime/evolve/fake_run.h"
-#include "tests/runtime/evolve/here.h"
 #include "tests/runtime/evolve/memory_cache.h"
 #include "tests/runtime/evolve/same_seasons.h"
+#include "tests/runtime/workers/here.h"
 
 namespace plsc {
 

@@ -5,7 +5,7 @@
 #include "runtime/evolve/breed.h"
 #include "runtime/evolve/judge.h"
 #include "tests/runtime/evolve/fake_run.h"
-#include "tests/runtime/evolve/here.h"
+#include "tests/runtime/workers/here.h"
 
 namespace plsc {
 

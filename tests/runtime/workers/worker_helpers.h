@@ -1,0 +1,50 @@
+#pragma once
+
+// What the tests of workers share: collecting replies, and counting what
+// happens in other processes.
+
+#include <signal.h>
+#include <sys/mman.h>
+#include <sys/types.h>
+
+#include <map>
+#include <string>
+
+#include "runtime/workers/workers.h"
+
+namespace plsc::test {
+
+constexpr int kPatience = 100;  // ms
+
+/// Answers by ticket; for those without how the worker died.
+inline std::map<int, std::string> Collect(Workers& workers) {
+  std::map<int, std::string> answers;
+  while (workers.outstanding() > 0 && !workers.failure())
+    for (const Reply& reply : workers.Wait(kPatience))
+      answers[reply.ticket] = reply.answer.value_or(reply.death);
+  return answers;
+}
+
+/// A number that all processes share.
+class SharedCounter {
+ public:
+  SharedCounter()
+      : count_(
+            static_cast<int*>(mmap(nullptr, sizeof(int), PROT_READ | PROT_WRITE,
+                                   MAP_SHARED | MAP_ANONYMOUS, -1, 0))) {}
+  ~SharedCounter() { munmap(count_, sizeof(int)); }
+  SharedCounter(const SharedCounter&) = delete;
+  SharedCounter& operator=(const SharedCounter&) = delete;
+  int Increment() { return __atomic_add_fetch(count_, 1, __ATOMIC_SEQ_CST); }
+  void Set(int value) { __atomic_store_n(count_, value, __ATOMIC_SEQ_CST); }
+  int value() const { return __atomic_load_n(count_, __ATOMIC_SEQ_CST); }
+
+ private:
+  int* count_;
+};
+
+inline bool IsAlive(pid_t pid) {
+  return kill(pid, 0) == 0;
+}
+
+}  // namespace plsc::test
