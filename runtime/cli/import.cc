@@ -9,9 +9,9 @@
 #include "compiler/print.h"
 #include "grammar/keywords.h"
 #include "grammar/shown_line.h"
+#include "runtime/authors/genotype.h"
 #include "runtime/cli/commands.h"
 #include "runtime/cli/output_path.h"
-#include "runtime/formats/authors_genotype.h"
 
 namespace plsc::cli {
 

@@ -9,8 +9,8 @@
 
 #include "compiler/compile.h"
 #include "grammar/codes.h"
+#include "runtime/authors/genotype.h"
 #include "runtime/evolve/experiment.h"
-#include "runtime/formats/authors_genotype.h"
 #include "runtime/inline_test.h"
 #include "runtime/lint.h"
 #include "runtime/trim.h"

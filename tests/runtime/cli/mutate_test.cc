@@ -4,8 +4,8 @@
 
 #include "compiler/compile.h"
 #include "compiler/print.h"
+#include "runtime/authors/genotype.h"
 #include "runtime/evolve/breed.h"
-#include "runtime/formats/authors_genotype.h"
 #include "tests/runtime/cli/authors_mutation.h"
 #include "tests/runtime/cli/run_plsc.h"
 #include "tests/runtime/cli/tiny_run.h"

@@ -1,6 +1,6 @@
 #include <catch2/catch.hpp>
 
-#include "runtime/formats/authors_genotype.h"
+#include "runtime/authors/genotype.h"
 #include "tests/runtime/compile_text.h"
 
 namespace plsc {

@@ -1,4 +1,4 @@
-#include "runtime/formats/authors_symbols.h"
+#include "runtime/authors/symbols.h"
 
 #include <catch2/catch.hpp>
 #include <set>

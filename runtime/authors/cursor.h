@@ -9,7 +9,7 @@
 #include <string_view>
 
 #include "grammar/diagnostic.h"
-#include "runtime/formats/authors_symbols.h"
+#include "runtime/authors/symbols.h"
 
 namespace plsc {
 

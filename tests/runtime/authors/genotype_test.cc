@@ -1,4 +1,4 @@
-#include "runtime/formats/authors_genotype.h"
+#include "runtime/authors/genotype.h"
 
 #include <fmt/format.h>
 

@@ -2,7 +2,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "runtime/formats/authors_genotype.h"
+#include "runtime/authors/genotype.h"
 
 namespace plsc {
 namespace {

@@ -1,4 +1,4 @@
-#include "runtime/formats/authors_cursor.h"
+#include "runtime/authors/cursor.h"
 
 #include <catch2/catch.hpp>
 

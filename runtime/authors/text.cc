@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "runtime/formats/authors_genotype.h"
+#include "runtime/authors/genotype.h"
 
 namespace plsc {
 

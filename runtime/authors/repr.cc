@@ -9,8 +9,8 @@
 
 #include "compiler/limits.h"
 #include "grammar/keywords.h"
-#include "runtime/formats/authors_cursor.h"
-#include "runtime/formats/authors_genotype.h"
+#include "runtime/authors/cursor.h"
+#include "runtime/authors/genotype.h"
 
 namespace plsc {
 

@@ -11,7 +11,7 @@
 #include "compiler/program.h"
 #include "grammar/result.h"
 #include "grammar/source.h"
-#include "runtime/formats/authors_symbols.h"
+#include "runtime/authors/symbols.h"
 
 namespace plsc {
 

@@ -5,8 +5,8 @@
 
 #include <utility>
 
-#include "runtime/formats/authors_cursor.h"
-#include "runtime/formats/authors_genotype.h"
+#include "runtime/authors/cursor.h"
+#include "runtime/authors/genotype.h"
 
 namespace plsc {
 
