@@ -8,7 +8,7 @@
 namespace plsc {
 
 /// Rules are numbered in 16 bits while developing, and one number means "no
-/// rule" (runtime/regulate.h).
+/// rule" (runtime/develop/regulate.h).
 inline constexpr std::size_t kMaxRuleCount = 0xFFFE;
 /// StateId and SymbolId have 16 bits; a thousand is far beyond any robot's
 /// senses and keeps searches for similar names cheap in hostile files.

@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-#include "runtime/descriptors.h"
+#include "runtime/develop/descriptors.h"
 #include "runtime/scenario.h"
 #include "runtime/simulated.h"
 #include "sim/measures.h"

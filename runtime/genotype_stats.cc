@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "runtime/body_difference.h"
-#include "runtime/formats/phenotype_json.h"
-#include "runtime/trace.h"
+#include "runtime/develop/phenotype_json.h"
+#include "runtime/develop/trace.h"
 
 namespace plsc {
 

@@ -6,9 +6,9 @@
 #include <string_view>
 
 #include "compiler/print.h"
-#include "runtime/derive.h"
-#include "runtime/descriptors.h"
-#include "runtime/develop.h"
+#include "runtime/develop/derive.h"
+#include "runtime/develop/descriptors.h"
+#include "runtime/develop/develop.h"
 
 namespace plsc {
 

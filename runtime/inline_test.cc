@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "compiler/print.h"
-#include "runtime/derive.h"
-#include "runtime/develop.h"
+#include "runtime/develop/derive.h"
+#include "runtime/develop/develop.h"
 
 namespace plsc {
 

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <utility>
 
-#include "runtime/formats/phenotype_json.h"
+#include "runtime/develop/phenotype_json.h"
 #include "runtime/season_teller.h"
 #include "sim/imu.h"
 #include "sim/simulate.h"

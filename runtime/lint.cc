@@ -11,10 +11,10 @@
 #include "compiler/lint.h"
 #include "compiler/suppress.h"
 #include "grammar/parse.h"
-#include "runtime/derive.h"
-#include "runtime/growth.h"
+#include "runtime/develop/derive.h"
+#include "runtime/develop/growth.h"
+#include "runtime/develop/regimes.h"
 #include "runtime/lint_expression.h"
-#include "runtime/regimes.h"
 
 namespace plsc {
 

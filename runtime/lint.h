@@ -11,7 +11,7 @@
 
 #include "compiler/compile.h"
 #include "grammar/diagnostic.h"
-#include "runtime/regulate.h"
+#include "runtime/develop/regulate.h"
 
 namespace plsc {
 

@@ -9,9 +9,9 @@
 #include <utility>
 
 #include "compiler/limits.h"
-#include "runtime/derive.h"
-#include "runtime/growth.h"
-#include "runtime/trace.h"
+#include "runtime/develop/derive.h"
+#include "runtime/develop/growth.h"
+#include "runtime/develop/trace.h"
 
 namespace plsc {
 

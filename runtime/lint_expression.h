@@ -5,15 +5,16 @@
 // commands that change another joint than the one that they stand behind
 // (W4003), rules of C that are read several times in one place (W4004).
 // A symbol counts as expressed where it does
-// something in late development (runtime/effect.h) or is rewritten before:
-// modules are often written only to call their rules. Symbols of alphabets
-// without bodies are expressed wherever they stand in the final string.
+// something in late development (runtime/develop/effect.h) or is rewritten
+// before: modules are often written only to call their rules. Symbols of
+// alphabets without bodies are expressed wherever they stand in the final
+// string.
 
 #include <vector>
 
 #include "compiler/compile.h"
 #include "grammar/diagnostic.h"
-#include "runtime/regimes.h"
+#include "runtime/develop/regimes.h"
 
 namespace plsc {
 

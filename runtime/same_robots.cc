@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "compiler/state_space.h"
-#include "runtime/developed.h"
-#include "runtime/regimes.h"
+#include "runtime/develop/developed.h"
+#include "runtime/develop/regimes.h"
 
 namespace plsc {
 

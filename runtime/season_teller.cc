@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "compiler/environment_text.h"
-#include "runtime/develop.h"
+#include "runtime/develop/develop.h"
 
 namespace plsc {
 

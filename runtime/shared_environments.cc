@@ -9,7 +9,7 @@
 
 #include "compiler/print.h"
 #include "compiler/truth.h"
-#include "runtime/regimes.h"
+#include "runtime/develop/regimes.h"
 
 namespace plsc {
 

@@ -4,7 +4,7 @@
 #include <cassert>
 #include <utility>
 
-#include "runtime/trace.h"
+#include "runtime/develop/trace.h"
 #include "runtime/trim_pieces.h"
 #include "runtime/trim_target.h"
 #include "runtime/trim_text.h"

@@ -7,8 +7,8 @@
 #include <string>
 #include <utility>
 
-#include "runtime/derive.h"
-#include "runtime/growth.h"
+#include "runtime/develop/derive.h"
+#include "runtime/develop/growth.h"
 #include "runtime/inline_test.h"
 #include "runtime/lint.h"
 

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "compiler/compile.h"
-#include "runtime/developed.h"
-#include "runtime/regimes.h"
+#include "runtime/develop/developed.h"
+#include "runtime/develop/regimes.h"
 #include "runtime/trim_pieces.h"
 
 namespace plsc {

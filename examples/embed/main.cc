@@ -4,7 +4,7 @@
 #include <iterator>
 
 #include "compiler/compile.h"
-#include "runtime/develop.h"
+#include "runtime/develop/develop.h"
 #include "runtime/evaluation.h"
 #include "runtime/scenario_profile.h"
 

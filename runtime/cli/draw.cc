@@ -13,12 +13,12 @@
 #include "runtime/cli/png.h"
 #include "runtime/cli/program.h"
 #include "runtime/cli/robot_source.h"
+#include "runtime/develop/trace.h"
 #include "runtime/formats/bodies_svg.h"
 #include "runtime/formats/body_text.h"
 #include "runtime/formats/brain_svg.h"
 #include "runtime/formats/brain_text.h"
 #include "runtime/formats/side_by_side.h"
-#include "runtime/trace.h"
 
 namespace plsc::cli {
 

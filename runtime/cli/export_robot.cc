@@ -15,7 +15,7 @@
 #include "runtime/cli/program.h"
 #include "runtime/cli/robot_setting.h"
 #include "runtime/cli/robot_source.h"
-#include "runtime/develop.h"
+#include "runtime/develop/develop.h"
 #include "sim/overlap.h"
 
 namespace plsc::cli {

@@ -5,8 +5,8 @@
 #include "grammar/shown_line.h"
 #include "runtime/cli/commands.h"
 #include "runtime/cli/program.h"
-#include "runtime/developed.h"
-#include "runtime/genotype_key.h"
+#include "runtime/develop/developed.h"
+#include "runtime/develop/genotype_key.h"
 
 namespace plsc::cli {
 

@@ -13,8 +13,8 @@
 #include "compiler/print.h"
 #include "grammar/shown_line.h"
 #include "grammar/suggest.h"
-#include "runtime/derive.h"
-#include "runtime/growth.h"
+#include "runtime/develop/derive.h"
+#include "runtime/develop/growth.h"
 #include "runtime/lint.h"
 
 namespace plsc::cli {

@@ -1,4 +1,4 @@
-#include "runtime/regulate.h"
+#include "runtime/develop/regulate.h"
 
 #include <fmt/format.h>
 

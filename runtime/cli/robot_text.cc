@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "grammar/shown_line.h"
-#include "runtime/develop.h"
+#include "runtime/develop/develop.h"
 #include "runtime/formats/body_text.h"
 #include "runtime/season_teller.h"
 

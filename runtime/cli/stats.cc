@@ -4,8 +4,8 @@
 
 #include "runtime/cli/commands.h"
 #include "runtime/cli/program.h"
+#include "runtime/develop/regimes.h"
 #include "runtime/formats/stats_text.h"
-#include "runtime/regimes.h"
 
 namespace plsc::cli {
 

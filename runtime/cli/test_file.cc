@@ -11,7 +11,7 @@
 #include "compiler/environment_text.h"
 #include "grammar/shown_line.h"
 #include "runtime/cli/io.h"
-#include "runtime/derive.h"
+#include "runtime/develop/derive.h"
 #include "runtime/formats/golden_json.h"
 #include "runtime/inline_test.h"
 

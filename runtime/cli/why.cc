@@ -10,7 +10,7 @@
 #include "runtime/cli/commands.h"
 #include "runtime/cli/program.h"
 #include "runtime/cli/robot_source.h"
-#include "runtime/formats/environment_json.h"
+#include "runtime/develop/environment_json.h"
 #include "runtime/formats/history_text.h"
 #include "runtime/formats/provenance_json.h"
 #include "runtime/formats/provenance_text.h"

@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "runtime/regulate.h"
+#include "runtime/develop/regulate.h"
 #include "runtime/season_teller.h"
 
 namespace plsc {

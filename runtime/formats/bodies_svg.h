@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "runtime/regulate.h"
+#include "runtime/develop/regulate.h"
 #include "sim/body.h"
 
 namespace plsc {

@@ -7,9 +7,9 @@
 #include "compiler/print.h"
 #include "compiler/truth.h"
 #include "runtime/body_difference.h"
+#include "runtime/develop/provenance.h"
 #include "runtime/formats/history_json.h"
 #include "runtime/formats/svg_style.h"
-#include "runtime/provenance.h"
 #include "runtime/text/json_dump.h"
 
 namespace plsc {

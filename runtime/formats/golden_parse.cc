@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "runtime/descriptors.h"
+#include "runtime/develop/descriptors.h"
 #include "runtime/formats/golden_json.h"
 #include "runtime/text/json_reader.h"
 #include "runtime/text/json_text.h"

@@ -8,7 +8,7 @@
 
 #include "compiler/source_map.h"
 #include "grammar/source.h"
-#include "runtime/trace.h"
+#include "runtime/develop/trace.h"
 
 namespace plsc {
 

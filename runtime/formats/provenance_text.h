@@ -5,8 +5,8 @@
 #include <string>
 #include <string_view>
 
+#include "runtime/develop/provenance.h"
 #include "runtime/formats/history_view.h"
-#include "runtime/provenance.h"
 
 namespace plsc {
 

@@ -3,9 +3,9 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "runtime/formats/environment_json.h"
-#include "runtime/formats/symbol_json.h"
-#include "runtime/regulate.h"
+#include "runtime/develop/environment_json.h"
+#include "runtime/develop/regulate.h"
+#include "runtime/develop/symbol_json.h"
 
 namespace plsc {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "compiler/print.h"
-#include "runtime/regulate.h"
+#include "runtime/develop/regulate.h"
 #include "runtime/text/aligned_rows.h"
 
 namespace plsc {

@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "runtime/formats/descriptors_json.h"
-#include "runtime/formats/environment_json.h"
+#include "runtime/develop/descriptors_json.h"
+#include "runtime/develop/environment_json.h"
 
 namespace plsc {
 

@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "runtime/formats/environment_json.h"
+#include "runtime/develop/environment_json.h"
 #include "runtime/report/comparison.h"
 #include "runtime/report/experiment_difference.h"
 #include "runtime/scenario_terrain.h"

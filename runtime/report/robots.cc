@@ -5,9 +5,9 @@
 #include <tuple>
 
 #include "compiler/print.h"
-#include "runtime/develop.h"
+#include "runtime/develop/develop.h"
+#include "runtime/develop/phenotype_json.h"
 #include "runtime/formats/body_svg.h"
-#include "runtime/formats/phenotype_json.h"
 #include "runtime/season_teller.h"
 
 namespace plsc {

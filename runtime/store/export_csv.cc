@@ -5,7 +5,7 @@
 #include <set>
 #include <utility>
 
-#include "runtime/formats/environment_json.h"
+#include "runtime/develop/environment_json.h"
 #include "runtime/store/database.h"
 #include "runtime/store/export.h"
 #include "runtime/store/names.h"

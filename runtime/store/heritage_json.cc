@@ -1,6 +1,6 @@
 #include "runtime/store/heritage_json.h"
 
-#include "runtime/formats/environment_json.h"
+#include "runtime/develop/environment_json.h"
 
 namespace plsc {
 

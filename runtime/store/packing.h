@@ -10,7 +10,7 @@
 
 namespace plsc {
 
-/// `json` as BodyJson and BrainJson (runtime/formats/phenotype_json.h) write
+/// `json` as BodyJson and BrainJson (runtime/develop/phenotype_json.h) write
 /// it; without the characters that phrases have.
 std::string Pack(std::string_view json);
 /// The reverse of Pack; of any other text, a text.

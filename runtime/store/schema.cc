@@ -4,7 +4,7 @@
 
 #include <string_view>
 
-#include "runtime/descriptors.h"
+#include "runtime/develop/descriptors.h"
 #include "runtime/store/packing.h"
 
 namespace plsc {

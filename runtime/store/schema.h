@@ -2,7 +2,8 @@
 
 // The tables of a run: what each column is, in SQL, comments included, so that
 // `sqlite3 run.sqlite .schema` explains the file. docs/runs.md has the same in
-// words. Descriptors are columns under the names of runtime/descriptors.h.
+// words. Descriptors are columns under the names of
+// runtime/develop/descriptors.h.
 
 #include <cstdint>
 #include <string>

@@ -13,7 +13,7 @@
 #include <cstring>
 
 #include "compiler/compile.h"
-#include "runtime/derive.h"
+#include "runtime/develop/derive.h"
 #include "tests/bench/stopwatch.h"
 
 namespace plsc {

@@ -13,11 +13,11 @@
 
 #include "compiler/compile.h"
 #include "compiler/environment_text.h"
-#include "runtime/descriptors.h"
-#include "runtime/develop.h"
+#include "runtime/develop/descriptors.h"
+#include "runtime/develop/develop.h"
 #include "tests/allocations.h"
 #include "tests/bench/stopwatch.h"
-#include "tests/runtime/reference_cases.h"
+#include "tests/runtime/develop/reference_cases.h"
 
 namespace plsc {
 namespace {

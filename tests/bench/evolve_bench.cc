@@ -22,8 +22,8 @@
 #include <fstream>
 #include <string>
 
+#include "runtime/develop/phenotype_json.h"
 #include "runtime/evolve/evolve.h"
-#include "runtime/formats/phenotype_json.h"
 #include "runtime/store/run_store.h"
 
 namespace plsc {

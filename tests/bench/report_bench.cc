@@ -25,8 +25,8 @@
 #include <string>
 
 #include "runtime/cli/commands.h"
+#include "runtime/develop/phenotype_json.h"
 #include "runtime/evolve/evolve.h"
-#include "runtime/formats/phenotype_json.h"
 #include "runtime/store/checksum.h"
 #include "runtime/store/database.h"
 #include "runtime/store/run_store.h"

@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-#include "runtime/develop.h"
+#include "runtime/develop/develop.h"
 #include "runtime/evolve/initialise.h"
 #include "sim/measures.h"
 #include "sim/overlap.h"

@@ -15,14 +15,14 @@
 #include "compiler/compile.h"
 #include "compiler/state_space.h"
 #include "fuzz/require.h"
-#include "runtime/derivation.h"
-#include "runtime/derive.h"
-#include "runtime/develop.h"
-#include "runtime/growth.h"
+#include "runtime/develop/derivation.h"
+#include "runtime/develop/derive.h"
+#include "runtime/develop/develop.h"
+#include "runtime/develop/growth.h"
+#include "runtime/develop/regulate.h"
+#include "runtime/develop/trace.h"
 #include "runtime/inline_test.h"
 #include "runtime/lint.h"
-#include "runtime/regulate.h"
-#include "runtime/trace.h"
 
 namespace {
 

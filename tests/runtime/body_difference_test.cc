@@ -2,7 +2,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "tests/runtime/grown.h"
+#include "tests/runtime/develop/grown.h"
 
 namespace plsc {
 namespace {

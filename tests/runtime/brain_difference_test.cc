@@ -1,6 +1,6 @@
 #include "runtime/brain_difference.h"
 
-#include "tests/runtime/grown.h"
+#include "tests/runtime/develop/grown.h"
 
 namespace plsc {
 namespace {

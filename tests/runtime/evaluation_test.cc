@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "runtime/scenario_profile.h"
-#include "tests/runtime/compile_text.h"
+#include "tests/runtime/develop/compile_text.h"
 
 namespace plsc {
 

@@ -4,8 +4,8 @@
 #include <random>
 #include <set>
 
-#include "runtime/trace.h"
-#include "tests/runtime/compile_text.h"
+#include "runtime/develop/trace.h"
+#include "tests/runtime/develop/compile_text.h"
 
 namespace plsc {
 namespace {

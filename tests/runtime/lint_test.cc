@@ -2,8 +2,8 @@
 
 #include <catch2/catch.hpp>
 
-#include "runtime/derive.h"
-#include "runtime/growth.h"
+#include "runtime/develop/derive.h"
+#include "runtime/develop/growth.h"
 
 namespace plsc {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "tests/runtime/compile_text.h"
+#include "tests/runtime/develop/compile_text.h"
 
 namespace plsc {
 namespace {

@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "runtime/scenario_profile.h"
-#include "tests/runtime/compile_text.h"
+#include "tests/runtime/develop/compile_text.h"
 
 namespace plsc {
 namespace {

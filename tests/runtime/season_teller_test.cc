@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "runtime/develop.h"
+#include "runtime/develop/develop.h"
 #include "runtime/scenario_profile.h"
-#include "tests/runtime/compile_text.h"
+#include "tests/runtime/develop/compile_text.h"
 
 namespace plsc {
 

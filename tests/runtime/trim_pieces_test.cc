@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "compiler/print.h"
-#include "tests/runtime/compile_text.h"
+#include "tests/runtime/develop/compile_text.h"
 
 namespace plsc {
 namespace {

@@ -6,11 +6,11 @@
 #include <catch2/catch.hpp>
 
 #include "compiler/print.h"
-#include "runtime/develop.h"
+#include "runtime/develop/develop.h"
 #include "runtime/evolve/initialise.h"
 #include "runtime/evolve/mutate.h"
-#include "tests/runtime/compile_text.h"
-#include "tests/runtime/reference_cases.h"
+#include "tests/runtime/develop/compile_text.h"
+#include "tests/runtime/develop/reference_cases.h"
 
 namespace plsc {
 namespace {

@@ -9,10 +9,10 @@
 
 #include "compiler/environment_text.h"
 #include "compiler/print.h"
-#include "runtime/develop.h"
-#include "runtime/formats/phenotype_json.h"
-#include "tests/runtime/compile_text.h"
-#include "tests/runtime/reference_cases.h"
+#include "runtime/develop/develop.h"
+#include "runtime/develop/phenotype_json.h"
+#include "tests/runtime/develop/compile_text.h"
+#include "tests/runtime/develop/reference_cases.h"
 
 namespace plsc {
 namespace {

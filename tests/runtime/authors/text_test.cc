@@ -1,7 +1,7 @@
 #include <catch2/catch.hpp>
 
 #include "runtime/authors/genotype.h"
-#include "tests/runtime/compile_text.h"
+#include "tests/runtime/develop/compile_text.h"
 
 namespace plsc {
 namespace {

@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "tests/runtime/cli/run_plsc.h"
-#include "tests/runtime/compile_text.h"
+#include "tests/runtime/develop/compile_text.h"
 
 namespace plsc {
 namespace {

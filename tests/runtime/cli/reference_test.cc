@@ -5,7 +5,7 @@
 #include <sstream>
 
 #include "runtime/cli/commands.h"
-#include "tests/runtime/reference_cases.h"
+#include "tests/runtime/develop/reference_cases.h"
 
 namespace plsc {
 namespace {

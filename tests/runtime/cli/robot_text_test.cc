@@ -4,7 +4,7 @@
 
 #include "runtime/evaluation.h"
 #include "runtime/scenario_profile.h"
-#include "tests/runtime/compile_text.h"
+#include "tests/runtime/develop/compile_text.h"
 
 namespace plsc {
 namespace {

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "runtime/derive.h"
-#include "runtime/descriptors.h"
-#include "runtime/develop.h"
+#include "runtime/develop/derive.h"
+#include "runtime/develop/descriptors.h"
+#include "runtime/develop/develop.h"
 #include "runtime/evolve/initialise.h"
 #include "tests/runtime/evolve/chi_square.h"
 #include "tests/runtime/evolve/reference_statistics.h"

@@ -1,6 +1,6 @@
 #include "tests/runtime/evolve/fake_run.h"
 
-#include "runtime/formats/phenotype_json.h"
+#include "runtime/develop/phenotype_json.h"
 
 namespace plsc::test {
 

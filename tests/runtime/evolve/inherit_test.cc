@@ -9,7 +9,7 @@
 #include "compiler/compile.h"
 #include "compiler/print.h"
 #include "compiler/verify.h"
-#include "runtime/develop.h"
+#include "runtime/develop/develop.h"
 #include "runtime/evolve/breed.h"
 #include "tests/runtime/evolve/reference_statistics.h"
 

@@ -9,11 +9,11 @@
 #include <string>
 #include <vector>
 
-#include "runtime/descriptors.h"
+#include "runtime/develop/descriptors.h"
 #include "runtime/evolve/evolve.h"
 #include "runtime/evolve/judge.h"
 #include "runtime/evolve/judging.h"
-#include "tests/runtime/compile_text.h"
+#include "tests/runtime/develop/compile_text.h"
 #include "tests/runtime/evolve/fake_run.h"
 #include "tests/runtime/evolve/memory_cache.h"
 #include "tests/runtime/evolve/same_seasons.h"

@@ -3,9 +3,9 @@
 #include <catch2/catch.hpp>
 
 #include "compiler/environment_text.h"
-#include "runtime/develop.h"
-#include "tests/runtime/compile_text.h"
-#include "tests/runtime/reference_cases.h"
+#include "runtime/develop/develop.h"
+#include "tests/runtime/develop/compile_text.h"
+#include "tests/runtime/develop/reference_cases.h"
 #include "tests/sim/golden_robots.h"
 
 namespace plsc::test {

@@ -6,10 +6,10 @@
 #include <nlohmann/json.hpp>
 
 #include "compiler/environment_text.h"
-#include "runtime/develop.h"
-#include "tests/runtime/compile_text.h"
+#include "runtime/develop/develop.h"
+#include "tests/runtime/develop/compile_text.h"
+#include "tests/runtime/develop/reference_cases.h"
 #include "tests/runtime/exports/read_robot.h"
-#include "tests/runtime/reference_cases.h"
 #include "tests/sim/authors_bodies.h"
 
 namespace plsc {

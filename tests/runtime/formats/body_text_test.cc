@@ -2,7 +2,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "runtime/body_turtle.h"
+#include "runtime/develop/body_turtle.h"
 
 namespace plsc {
 namespace {

@@ -1,7 +1,7 @@
 #include "runtime/formats/brain_svg.h"
 
+#include "tests/runtime/develop/grown.h"
 #include "tests/runtime/formats/count.h"
-#include "tests/runtime/grown.h"
 
 namespace plsc {
 namespace {

@@ -1,6 +1,6 @@
 #include "runtime/formats/history_view.h"
 
-#include "tests/runtime/grown.h"
+#include "tests/runtime/develop/grown.h"
 
 namespace plsc {
 namespace {

@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
-#include "tests/runtime/compile_text.h"
+#include "tests/runtime/develop/compile_text.h"
 
 namespace plsc {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <catch2/catch.hpp>
 
+#include "runtime/develop/regulate.h"
 #include "runtime/formats/body_svg.h"
-#include "runtime/regulate.h"
 #include "runtime/season_teller.h"
 #include "tests/runtime/store/stored_run.h"
 #include "tests/runtime/study/small_study.h"

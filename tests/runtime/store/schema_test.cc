@@ -4,7 +4,7 @@
 #include <set>
 #include <string>
 
-#include "runtime/descriptors.h"
+#include "runtime/develop/descriptors.h"
 #include "runtime/store/database.h"
 #include "tests/runtime/store/stored_run.h"
 

@@ -1,0 +1,113 @@
+#include "runtime/develop/phenotype_json.h"
+
+#include <array>
+#include <nlohmann/json.hpp>
+
+#include "runtime/develop/descriptors_json.h"
+#include "runtime/develop/environment_json.h"
+#include "runtime/develop/regulate.h"
+#include "runtime/develop/symbol_json.h"
+
+namespace plsc {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+const char* FacingName(Facing facing) {
+  constexpr std::array<const char*, 4> kNames{"front", "left", "back", "right"};
+  return kNames[static_cast<std::size_t>(facing)];
+}
+
+// Recursion is as deep as the body, at most max_modules.
+Json ModuleJson(const Body& body, int index) {
+  const Module& module = body.modules[static_cast<std::size_t>(index)];
+  const bool is_sensor = module.type == ModuleType::kTouchSensor;
+  Json json;
+  json["id"] = ModuleId(body, index);
+  json["type"] = ModuleName(module.type);
+  json["angle"] = module.angle_deg;
+  json["x"] = is_sensor ? Json(nullptr) : Json(module.x);
+  json["y"] = is_sensor ? Json(nullptr) : Json(module.y);
+  json["facing"] = is_sensor ? Json(nullptr) : Json(FacingName(module.facing));
+  Json children = Json::object();
+  constexpr std::array<std::pair<Slot, const char*>, kSlots> kOrder{
+      {{Slot::kFront, "front"},
+       {Slot::kLeft, "left"},
+       {Slot::kRight, "right"},
+       {Slot::kBack, "back"}}};
+  for (const auto& [slot, name] : kOrder)
+    if (module.child(slot) != kNoModule)
+      children[name] = ModuleJson(body, module.child(slot));
+  json["children"] = std::move(children);
+  return json;
+}
+
+std::string NodeName(int index) {
+  return "node" + std::to_string(index + 1);
+}
+
+Json BrainOf(const Phenotype& phenotype) {
+  Json nodes = Json::array();
+  for (std::size_t i = 0; i < phenotype.brain.nodes.size(); ++i) {
+    const Node& node = phenotype.brain.nodes[i];
+    const bool is_input = node.type == NodeType::kInput;
+    Json json;
+    json["id"] = NodeName(static_cast<int>(i));
+    json["type"] = is_input ? "Input" : "Oscillator";
+    json["part"] = ModuleId(phenotype.body, node.module);
+    json["weight"] = node.weight;
+    if (!is_input) {
+      json["amplitude"] = node.amplitude;
+      json["period"] = node.period;
+      json["phase_offset"] = node.phase_offset;
+    }
+    nodes.push_back(std::move(json));
+  }
+  Json connections = Json::array();
+  for (const Connection& connection : phenotype.brain.connections)
+    connections.push_back({{"src", NodeName(connection.source)},
+                           {"dst", NodeName(connection.destination)},
+                           {"weight", connection.weight}});
+  return {{"nodes", std::move(nodes)},
+          {"imu_inputs", kImuInputs},
+          {"connections", std::move(connections)}};
+}
+
+}  // namespace
+
+std::string BodyJson(const Body& body) {
+  return ModuleJson(body, 0).dump();
+}
+
+std::string BrainJson(const Phenotype& phenotype) {
+  return BrainOf(phenotype).dump();
+}
+
+std::string DevelopmentJson(const Genotype& genotype,
+                            const Environment& environment,
+                            const SymbolString& string,
+                            const Phenotype* phenotype) {
+  Json json;
+  json["genotype"] = genotype.name;
+  json["environment"] = EnvironmentJson(environment, genotype.states);
+  Json active = Json::array();
+  for (const RuleIndex rule : Regulate(genotype, environment).rules)
+    active.push_back(rule + 1);
+  json["active_rules"] = std::move(active);
+  Json early = Json::array();
+  for (const Occurrence& occurrence : string)
+    early.push_back(SymbolJson(genotype, occurrence));
+  json["early"] = std::move(early);
+  if (phenotype != nullptr) {
+    json["body"] = ModuleJson(phenotype->body, 0);
+    json["brain"] = BrainOf(*phenotype);
+    json["body_descriptors"] =
+        DescriptorsJson(List(DescribeBody(phenotype->body)));
+    json["brain_descriptors"] =
+        DescriptorsJson(List(DescribeBrain(*phenotype)));
+  }
+  return json.dump();
+}
+
+}  // namespace plsc

@@ -1,0 +1,41 @@
+#include "runtime/develop/regimes.h"
+
+#include <array>
+
+#include "compiler/truth.h"
+
+namespace plsc {
+
+std::optional<std::vector<Regime>> FindRegimes(const Genotype& genotype,
+                                               const StateSpace& space) {
+  if (!space.size()) return std::nullopt;
+  const auto size = static_cast<std::size_t>(*space.size());
+  if (genotype.rules.size() > kMaxRegulations / size) return std::nullopt;
+  // One class of all environments, split by each rule into those where it is
+  // active and those where it is not.
+  std::vector<int> class_of(size, 0);
+  int class_count = 1;
+  for (const Rule& rule : genotype.rules) {
+    if (rule.clause.is_always()) continue;
+    const TruthTable table = Tabulate(rule.clause, space);
+    constexpr std::array<int, 2> kNone{-1, -1};
+    std::vector<std::array<int, 2>> parts(static_cast<std::size_t>(class_count),
+                                          kNone);
+    int next = 0;
+    for (std::size_t i = 0; i < size; ++i) {
+      int& part = parts[static_cast<std::size_t>(class_of[i])]
+                       [table[static_cast<int>(i)] ? 1 : 0];
+      if (part < 0) part = next++;
+      class_of[i] = part;
+    }
+    class_count = next;
+  }
+  std::vector<Regime> regimes(static_cast<std::size_t>(class_count));
+  for (std::size_t i = 0; i < size; ++i) {
+    Regime& regime = regimes[static_cast<std::size_t>(class_of[i])];
+    if (regime.count++ == 0) regime.environment = static_cast<int>(i);
+  }
+  return regimes;
+}
+
+}  // namespace plsc

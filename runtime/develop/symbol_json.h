@@ -1,0 +1,32 @@
+#pragma once
+
+// A symbol of a string as JSON, for the writers of this folder.
+
+#include <nlohmann/json.hpp>
+
+#include "runtime/develop/regulate.h"
+
+namespace plsc {
+
+/// `["A2", [0.5, 2.0, 3.0, 1.0]]`.
+inline nlohmann::ordered_json SymbolJson(const Genotype& genotype,
+                                         const Occurrence& occurrence) {
+  using Json = nlohmann::ordered_json;
+  const SymbolInfo& info = (*genotype.alphabet)[occurrence.symbol];
+  Json arguments = Json::array();
+  if (occurrence.rule != kNoRule) {
+    const Symbol& symbol =
+        genotype.rules[occurrence.rule].production[occurrence.position];
+    for (std::size_t i = 0; i < info.parameters.size(); ++i) {
+      const double value = symbol.arguments[i];
+      // Whole numbers beyond 2^53 keep their double form.
+      if (info.parameters[i].is_integer && value < 9007199254740992.0)
+        arguments.push_back(static_cast<std::int64_t>(value));
+      else
+        arguments.push_back(value);
+    }
+  }
+  return Json::array({info.name, std::move(arguments)});
+}
+
+}  // namespace plsc
