@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "runtime/develop/descriptors.h"
-#include "runtime/scenario.h"
+#include "runtime/scenario/scenario.h"
 #include "runtime/simulated.h"
 #include "sim/measures.h"
 #include "sim/outcome.h"

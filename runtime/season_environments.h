@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "compiler/program.h"
-#include "runtime/scenario.h"
+#include "runtime/scenario/scenario.h"
 
 namespace plsc {
 

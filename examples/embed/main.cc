@@ -6,7 +6,7 @@
 #include "compiler/compile.h"
 #include "runtime/develop/develop.h"
 #include "runtime/evaluation.h"
-#include "runtime/scenario_profile.h"
+#include "runtime/scenario/scenario_profile.h"
 
 int main(int count, char** words) {
   if (count != 2) return std::puts("usage: embed GENOTYPE.pls"), 2;

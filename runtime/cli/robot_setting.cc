@@ -6,7 +6,7 @@
 #include <ostream>
 
 #include "runtime/evaluation.h"
-#include "runtime/scenario_profile.h"
+#include "runtime/scenario/scenario_profile.h"
 
 namespace plsc::cli {
 

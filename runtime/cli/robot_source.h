@@ -12,7 +12,7 @@
 #include "runtime/cli/io.h"
 #include "runtime/cli/program.h"
 #include "runtime/evolve/individual.h"
-#include "runtime/scenario.h"
+#include "runtime/scenario/scenario.h"
 
 namespace plsc::cli {
 

@@ -8,7 +8,7 @@
 #include <optional>
 #include <string>
 
-#include "runtime/scenario.h"
+#include "runtime/scenario/scenario.h"
 #include "sim/pose_recorder.h"
 
 namespace plsc::cli {

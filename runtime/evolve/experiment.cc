@@ -8,7 +8,7 @@
 
 #include "compiler/limits.h"
 #include "grammar/keywords.h"
-#include "runtime/scenario_yaml.h"
+#include "runtime/scenario/scenario_yaml.h"
 #include "runtime/text/yaml_reader.h"
 #include "runtime/text/yaml_text.h"
 

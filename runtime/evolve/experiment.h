@@ -10,7 +10,7 @@
 #include "grammar/result.h"
 #include "runtime/evolve/initialise.h"
 #include "runtime/evolve/mutate.h"
-#include "runtime/scenario_profile.h"
+#include "runtime/scenario/scenario_profile.h"
 
 namespace plsc {
 

@@ -1,6 +1,6 @@
 #include "runtime/exports/exported_ground.h"
 
-#include "runtime/scenario_terrain.h"
+#include "runtime/scenario/scenario_terrain.h"
 #include "sim/height_field.h"
 
 namespace plsc {

@@ -5,7 +5,7 @@
 #include "runtime/exports/controller_json.h"
 #include "runtime/exports/exported_ground.h"
 #include "runtime/recording.h"
-#include "runtime/scenario_terrain.h"
+#include "runtime/scenario/scenario_terrain.h"
 #include "sim/ground.h"
 
 namespace plsc {

@@ -8,7 +8,7 @@
 #include "runtime/evaluation.h"
 #include "runtime/exports/exported_ground.h"
 #include "runtime/recording.h"
-#include "runtime/scenario_profile.h"
+#include "runtime/scenario/scenario_profile.h"
 
 namespace plsc {
 

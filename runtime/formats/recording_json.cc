@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "runtime/formats/track_text.h"
-#include "runtime/scenario_terrain.h"
+#include "runtime/scenario/scenario_terrain.h"
 
 namespace plsc {
 

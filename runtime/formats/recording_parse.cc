@@ -11,7 +11,7 @@
 
 #include "runtime/formats/recording_json.h"
 #include "runtime/formats/track_text.h"
-#include "runtime/scenario_terrain.h"
+#include "runtime/scenario/scenario_terrain.h"
 #include "runtime/text/json_reader.h"
 #include "runtime/text/json_text.h"
 

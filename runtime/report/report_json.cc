@@ -12,7 +12,7 @@
 #include "runtime/develop/environment_json.h"
 #include "runtime/report/comparison.h"
 #include "runtime/report/experiment_difference.h"
-#include "runtime/scenario_terrain.h"
+#include "runtime/scenario/scenario_terrain.h"
 #include "runtime/text/json_dump.h"
 
 namespace plsc {

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "runtime/scenario.h"
+#include "runtime/scenario/scenario.h"
 
 namespace plsc {
 

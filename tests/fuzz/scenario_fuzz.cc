@@ -2,7 +2,7 @@
 // read is printed as a text that reads as the same scenario.
 
 #include "fuzz/require.h"
-#include "runtime/scenario.h"
+#include "runtime/scenario/scenario.h"
 
 namespace {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "runtime/scenario_profile.h"
+#include "runtime/scenario/scenario_profile.h"
 #include "tests/runtime/develop/compile_text.h"
 
 namespace plsc {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "runtime/evaluation.h"
-#include "runtime/scenario_profile.h"
+#include "runtime/scenario/scenario_profile.h"
 #include "tests/runtime/develop/compile_text.h"
 
 namespace plsc {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "runtime/develop/develop.h"
-#include "runtime/scenario_profile.h"
+#include "runtime/scenario/scenario_profile.h"
 #include "tests/runtime/develop/compile_text.h"
 
 namespace plsc {

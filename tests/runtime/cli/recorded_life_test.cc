@@ -4,7 +4,7 @@
 #include <sstream>
 
 #include "runtime/cli/program.h"
-#include "runtime/scenario_profile.h"
+#include "runtime/scenario/scenario_profile.h"
 #include "tests/runtime/cli/run_plsc.h"
 
 namespace plsc {

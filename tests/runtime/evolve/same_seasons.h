@@ -6,7 +6,7 @@
 
 #include <vector>
 
-#include "runtime/scenario.h"
+#include "runtime/scenario/scenario.h"
 
 namespace plsc::test {
 

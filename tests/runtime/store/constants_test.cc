@@ -6,7 +6,7 @@
 #include <set>
 #include <string>
 
-#include "runtime/scenario_profile.h"
+#include "runtime/scenario/scenario_profile.h"
 #include "runtime/text/yaml_reader.h"
 
 namespace plsc {

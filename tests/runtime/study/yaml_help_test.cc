@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "runtime/evolve/experiment.h"
-#include "runtime/scenario.h"
+#include "runtime/scenario/scenario.h"
 #include "runtime/study/study.h"
 
 namespace plsc {

@@ -12,7 +12,7 @@
 
 #include "runtime/evaluation.h"
 #include "runtime/life_plan.h"
-#include "runtime/scenario_profile.h"
+#include "runtime/scenario/scenario_profile.h"
 #include "tests/runtime/develop/compile_text.h"
 
 namespace plsc {

@@ -1,11 +1,11 @@
-#include "runtime/scenario.h"
+#include "runtime/scenario/scenario.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "compiler/environment_text.h"
-#include "runtime/scenario_yaml.h"
+#include "runtime/scenario/scenario_yaml.h"
 
 namespace plsc {
 

@@ -1,4 +1,4 @@
-#include "runtime/scenario_physics.h"
+#include "runtime/scenario/scenario_physics.h"
 
 #include <catch2/catch.hpp>
 

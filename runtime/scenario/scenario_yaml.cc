@@ -1,4 +1,4 @@
-#include "runtime/scenario_yaml.h"
+#include "runtime/scenario/scenario_yaml.h"
 
 #include <fmt/format.h>
 
@@ -7,9 +7,9 @@
 #include <set>
 
 #include "grammar/suggest.h"
-#include "runtime/scenario_physics.h"
-#include "runtime/scenario_profile.h"
-#include "runtime/scenario_terrain.h"
+#include "runtime/scenario/scenario_physics.h"
+#include "runtime/scenario/scenario_profile.h"
+#include "runtime/scenario/scenario_terrain.h"
 #include "runtime/text/yaml_text.h"
 
 namespace plsc {

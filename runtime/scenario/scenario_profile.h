@@ -4,7 +4,7 @@
 // scenario that writes all of them out is the same under any profile. Where
 // each number comes from is in docs/simulation.md.
 
-#include "runtime/scenario.h"
+#include "runtime/scenario/scenario.h"
 
 namespace plsc {
 

@@ -1,4 +1,4 @@
-#include "runtime/scenario_profile.h"
+#include "runtime/scenario/scenario_profile.h"
 
 #include <cassert>
 #include <numbers>

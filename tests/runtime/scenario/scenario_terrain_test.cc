@@ -1,8 +1,8 @@
-#include "runtime/scenario_terrain.h"
+#include "runtime/scenario/scenario_terrain.h"
 
 #include <catch2/catch.hpp>
 
-#include "runtime/scenario.h"
+#include "runtime/scenario/scenario.h"
 #include "tests/sim/terrains.h"
 
 namespace plsc {

@@ -1,4 +1,4 @@
-#include "runtime/scenario_terrain.h"
+#include "runtime/scenario/scenario_terrain.h"
 
 #include <fmt/format.h>
 

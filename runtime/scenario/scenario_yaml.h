@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "runtime/scenario.h"
+#include "runtime/scenario/scenario.h"
 #include "runtime/text/yaml_reader.h"
 
 namespace plsc {

@@ -1,11 +1,11 @@
-#include "runtime/scenario_yaml.h"
+#include "runtime/scenario/scenario_yaml.h"
 
 #include <catch2/catch.hpp>
 #include <numbers>
 #include <string>
 #include <vector>
 
-#include "runtime/scenario_profile.h"
+#include "runtime/scenario/scenario_profile.h"
 
 namespace plsc {
 

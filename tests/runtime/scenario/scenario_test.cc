@@ -1,4 +1,4 @@
-#include "runtime/scenario.h"
+#include "runtime/scenario/scenario.h"
 
 #include <catch2/catch.hpp>
 #include <string>
