@@ -5,7 +5,7 @@
 
 #include "compiler/compile.h"
 #include "runtime/develop/develop.h"
-#include "runtime/evaluation.h"
+#include "runtime/life/evaluation.h"
 #include "runtime/scenario/scenario_profile.h"
 
 int main(int count, char** words) {

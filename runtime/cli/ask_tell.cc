@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "runtime/cli/diagnostic_json.h"
-#include "runtime/formats/season_json.h"
+#include "runtime/life/season_json.h"
 #include "runtime/text/json_place.h"
 #include "runtime/text/json_reader.h"
 #include "runtime/text/json_text.h"

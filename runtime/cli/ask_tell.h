@@ -8,7 +8,7 @@
 
 #include "grammar/diagnostic.h"
 #include "grammar/result.h"
-#include "runtime/evaluation.h"
+#include "runtime/life/evaluation.h"
 
 namespace plsc::cli {
 

@@ -7,7 +7,7 @@
 
 #include "runtime/cli/io.h"
 #include "runtime/cli/simulation_watch.h"
-#include "runtime/evaluation.h"
+#include "runtime/life/evaluation.h"
 #include "runtime/recording.h"
 
 namespace plsc::cli {

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "runtime/develop/descriptors.h"
-#include "runtime/evaluation.h"
+#include "runtime/life/evaluation.h"
 
 namespace plsc::cli {
 

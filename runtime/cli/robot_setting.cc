@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <ostream>
 
-#include "runtime/evaluation.h"
+#include "runtime/life/evaluation.h"
 #include "runtime/scenario/scenario_profile.h"
 
 namespace plsc::cli {

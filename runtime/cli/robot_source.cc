@@ -11,8 +11,8 @@
 #include "runtime/cli/load_yaml.h"
 #include "runtime/cli/open_run.h"
 #include "runtime/cli/recorded_life.h"
-#include "runtime/season_environments.h"
-#include "runtime/season_teller.h"
+#include "runtime/life/season_environments.h"
+#include "runtime/life/season_teller.h"
 
 namespace plsc::cli {
 

@@ -5,7 +5,7 @@
 #include "grammar/shown_line.h"
 #include "runtime/develop/develop.h"
 #include "runtime/formats/body_text.h"
-#include "runtime/season_teller.h"
+#include "runtime/life/season_teller.h"
 
 namespace plsc::cli {
 

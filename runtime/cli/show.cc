@@ -8,7 +8,7 @@
 #include "runtime/cli/commands.h"
 #include "runtime/cli/open_run.h"
 #include "runtime/cli/robot_text.h"
-#include "runtime/formats/season_json.h"
+#include "runtime/life/season_json.h"
 #include "runtime/store/heritage_json.h"
 #include "runtime/store/lock.h"
 #include "runtime/store/verify.h"

@@ -14,11 +14,11 @@
 #include "runtime/cli/program.h"
 #include "runtime/cli/recorded_life.h"
 #include "runtime/cli/robot_source.h"
-#include "runtime/evaluation.h"
 #include "runtime/formats/path_svg.h"
 #include "runtime/formats/recording_json.h"
-#include "runtime/formats/season_json.h"
 #include "runtime/formats/trajectory_csv.h"
+#include "runtime/life/evaluation.h"
+#include "runtime/life/season_json.h"
 
 namespace plsc::cli {
 

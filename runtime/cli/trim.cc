@@ -12,7 +12,7 @@
 #include "runtime/cli/output_path.h"
 #include "runtime/cli/program.h"
 #include "runtime/cli/recorded_life.h"
-#include "runtime/season_environments.h"
+#include "runtime/life/season_environments.h"
 #include "runtime/text/json_dump.h"
 
 namespace plsc::cli {

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "compiler/genotype.h"
-#include "runtime/evaluation.h"
+#include "runtime/life/evaluation.h"
 
 namespace plsc {
 

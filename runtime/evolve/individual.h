@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "compiler/genotype.h"
-#include "runtime/evaluation.h"
 #include "runtime/evolve/consolidate.h"
 #include "runtime/evolve/mutate.h"
+#include "runtime/life/evaluation.h"
 
 namespace plsc {
 

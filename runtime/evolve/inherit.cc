@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "runtime/develop/regulate.h"
-#include "runtime/season_teller.h"
+#include "runtime/life/season_teller.h"
 
 namespace plsc {
 

@@ -5,9 +5,9 @@
 // next generation: rules that stay joined as the last season joined them, and
 // what was sensed then.
 
-#include "runtime/evaluation.h"
 #include "runtime/evolve/experiment.h"
 #include "runtime/evolve/individual.h"
+#include "runtime/life/evaluation.h"
 
 namespace plsc {
 

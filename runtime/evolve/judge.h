@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "runtime/evolve/experiment.h"
-#include "runtime/life_plan.h"
+#include "runtime/life/life_plan.h"
 #include "runtime/workers/workers.h"
 
 namespace plsc {

@@ -15,7 +15,7 @@
 
 #include "runtime/evolve/individual.h"
 #include "runtime/evolve/simulation_cache.h"
-#include "runtime/life_plan.h"
+#include "runtime/life/life_plan.h"
 #include "runtime/workers/workers.h"
 
 namespace plsc {

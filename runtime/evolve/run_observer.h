@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "runtime/evolve/individual.h"
-#include "runtime/life_plan.h"
+#include "runtime/life/life_plan.h"
 
 namespace plsc {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "runtime/evaluation.h"
+#include "runtime/life/evaluation.h"
 
 namespace plsc {
 

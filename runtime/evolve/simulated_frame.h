@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "runtime/simulated.h"
+#include "runtime/life/simulated.h"
 
 namespace plsc {
 

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "runtime/simulated.h"
+#include "runtime/life/simulated.h"
 #include "runtime/text/key.h"
 
 namespace plsc {

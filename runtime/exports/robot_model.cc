@@ -5,8 +5,8 @@
 #include <cassert>
 #include <utility>
 
-#include "runtime/evaluation.h"
 #include "runtime/exports/exported_ground.h"
+#include "runtime/life/evaluation.h"
 #include "runtime/recording.h"
 #include "runtime/scenario/scenario_profile.h"
 

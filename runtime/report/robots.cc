@@ -8,7 +8,7 @@
 #include "runtime/develop/develop.h"
 #include "runtime/develop/phenotype_json.h"
 #include "runtime/formats/body_svg.h"
-#include "runtime/season_teller.h"
+#include "runtime/life/season_teller.h"
 
 namespace plsc {
 

@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "compiler/print.h"
-#include "runtime/formats/season_json.h"
+#include "runtime/life/season_json.h"
 #include "runtime/store/export.h"
 #include "runtime/store/heritage_json.h"
 #include "runtime/store/verify.h"

@@ -9,8 +9,8 @@
 #include <string_view>
 #include <vector>
 
-#include "runtime/evaluation.h"
 #include "runtime/evolve/mutate.h"
+#include "runtime/life/evaluation.h"
 #include "runtime/text/key.h"
 
 namespace plsc {

@@ -13,7 +13,7 @@
 #include "runtime/evolve/individual.h"
 #include "runtime/evolve/run_observer.h"
 #include "runtime/evolve/saved_run.h"
-#include "runtime/simulated.h"
+#include "runtime/life/simulated.h"
 #include "runtime/store/database.h"
 #include "runtime/text/key.h"
 

@@ -28,7 +28,7 @@ def check_headers(prefix, folder, cxx):
     root = prefix / "include/plsc"
     headers = sorted(str(path.relative_to(root)) for path in root.rglob("*.h"))
     for wanted in ("compiler/compile.h", "runtime/develop/develop.h", "sim/simulate.h",
-                   "runtime/evaluation.h", "runtime/formats/season_json.h"):
+                   "runtime/life/evaluation.h", "runtime/life/season_json.h"):
         assert wanted in headers, wanted
     assert "grammar/rules.h" not in headers  # would need PEGTL
     source = folder / "headers.cc"

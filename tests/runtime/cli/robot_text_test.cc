@@ -2,7 +2,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "runtime/evaluation.h"
+#include "runtime/life/evaluation.h"
 #include "runtime/scenario/scenario_profile.h"
 #include "tests/runtime/develop/compile_text.h"
 

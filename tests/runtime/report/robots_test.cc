@@ -4,7 +4,7 @@
 
 #include "runtime/develop/regulate.h"
 #include "runtime/formats/body_svg.h"
-#include "runtime/season_teller.h"
+#include "runtime/life/season_teller.h"
 #include "tests/runtime/store/stored_run.h"
 #include "tests/runtime/study/small_study.h"
 

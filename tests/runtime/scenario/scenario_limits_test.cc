@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "runtime/evaluation.h"
-#include "runtime/life_plan.h"
+#include "runtime/life/evaluation.h"
+#include "runtime/life/life_plan.h"
 #include "runtime/scenario/scenario_profile.h"
 #include "tests/runtime/develop/compile_text.h"
 

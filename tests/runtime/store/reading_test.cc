@@ -10,7 +10,7 @@
 #include <string>
 
 #include "compiler/print.h"
-#include "runtime/formats/season_json.h"
+#include "runtime/life/season_json.h"
 #include "runtime/store/export.h"
 #include "runtime/store/heritage_json.h"
 #include "runtime/store/run_store.h"

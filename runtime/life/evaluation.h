@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "runtime/develop/descriptors.h"
+#include "runtime/life/simulated.h"
 #include "runtime/scenario/scenario.h"
-#include "runtime/simulated.h"
 #include "sim/measures.h"
 #include "sim/outcome.h"
 #include "sim/simulate.h"

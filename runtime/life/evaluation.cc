@@ -1,11 +1,11 @@
-#include "runtime/evaluation.h"
+#include "runtime/life/evaluation.h"
 
 #include <fmt/format.h>
 
 #include <cassert>
 #include <utility>
 
-#include "runtime/season_teller.h"
+#include "runtime/life/season_teller.h"
 #include "sim/imu.h"
 #include "sim/passage.h"
 

@@ -1,4 +1,4 @@
-#include "runtime/season_teller.h"
+#include "runtime/life/season_teller.h"
 
 #include <catch2/catch.hpp>
 #include <string>

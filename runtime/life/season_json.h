@@ -5,7 +5,7 @@
 #include <string>
 
 #include "compiler/genotype.h"
-#include "runtime/evaluation.h"
+#include "runtime/life/evaluation.h"
 
 namespace plsc {
 

@@ -8,7 +8,7 @@
 #include <optional>
 #include <string>
 
-#include "runtime/evaluation.h"
+#include "runtime/life/evaluation.h"
 
 namespace plsc {
 

@@ -1,4 +1,4 @@
-#include "runtime/life_plan.h"
+#include "runtime/life/life_plan.h"
 
 #include <catch2/catch.hpp>
 #include <functional>
@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "runtime/evaluation.h"
+#include "runtime/life/evaluation.h"
 #include "runtime/scenario/scenario_profile.h"
 #include "tests/runtime/develop/compile_text.h"
 

@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
-#include "runtime/evaluation.h"
-#include "runtime/simulated.h"
+#include "runtime/life/evaluation.h"
+#include "runtime/life/simulated.h"
 #include "runtime/text/key.h"
 
 namespace plsc {

@@ -1,10 +1,10 @@
-#include "runtime/season_environments.h"
+#include "runtime/life/season_environments.h"
 
 #include <cstddef>
 #include <numbers>
 #include <optional>
 
-#include "runtime/season_teller.h"
+#include "runtime/life/season_teller.h"
 #include "sim/imu.h"
 
 namespace plsc {

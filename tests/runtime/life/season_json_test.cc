@@ -1,4 +1,4 @@
-#include "runtime/formats/season_json.h"
+#include "runtime/life/season_json.h"
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>

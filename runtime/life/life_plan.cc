@@ -1,4 +1,4 @@
-#include "runtime/life_plan.h"
+#include "runtime/life/life_plan.h"
 
 #include <cassert>
 #include <map>
@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "runtime/develop/phenotype_json.h"
-#include "runtime/season_teller.h"
+#include "runtime/life/season_teller.h"
 #include "sim/imu.h"
 #include "sim/simulate.h"
 

@@ -1,4 +1,4 @@
-#include "runtime/season_environments.h"
+#include "runtime/life/season_environments.h"
 
 #include <catch2/catch.hpp>
 

@@ -1,4 +1,4 @@
-#include "runtime/evaluation.h"
+#include "runtime/life/evaluation.h"
 
 #include <catch2/catch.hpp>
 #include <string>
