@@ -4,7 +4,7 @@
 #include <set>
 #include <utility>
 
-#include "runtime/body_difference.h"
+#include "runtime/compare/body_difference.h"
 #include "runtime/develop/phenotype_json.h"
 #include "runtime/develop/trace.h"
 

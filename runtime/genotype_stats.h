@@ -22,7 +22,8 @@ struct RuleUsage {
   std::size_t modules = 0;    ///< sensors too, that its symbols mounted
 };
 
-/// Against the robot of the first environment (runtime/body_difference.h).
+/// Against the robot of the first environment
+/// (runtime/compare/body_difference.h).
 struct RobotDifference {
   std::size_t shared = 0;   ///< modules at the same place, of the same kind
   std::size_t other = 0;    ///< of another kind or roll

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "compiler/compile.h"
-#include "runtime/same_robots.h"
+#include "runtime/compare/same_robots.h"
 
 namespace plsc {
 

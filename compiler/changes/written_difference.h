@@ -3,7 +3,7 @@
 // What changed from one text of genotypes to another: items by their names,
 // rules by what they say, and within these symbols and arguments. Comments,
 // layout and the order of items other than rules do not count. What the
-// changes do to robots is in runtime/robot_difference.h.
+// changes do to robots is in runtime/compare/robot_difference.h.
 
 #include <cstdint>
 #include <optional>

@@ -8,7 +8,7 @@
 #include "compiler/compile.h"
 #include "grammar/shown_line.h"
 #include "runtime/cli/file_kind.h"
-#include "runtime/formats/golden_json.h"
+#include "runtime/compare/golden_json.h"
 #include "runtime/formats/recording_json.h"
 #include "runtime/lint.h"
 

@@ -10,8 +10,8 @@
 #include "grammar/shown_line.h"
 #include "runtime/cli/commands.h"
 #include "runtime/cli/program.h"
-#include "runtime/formats/difference_json.h"
-#include "runtime/formats/difference_text.h"
+#include "runtime/compare/difference_json.h"
+#include "runtime/compare/difference_text.h"
 #include "runtime/text/unified_diff.h"
 
 namespace plsc::cli {

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "runtime/golden_compare.h"
+#include "runtime/compare/golden_compare.h"
 
 namespace plsc::cli {
 

@@ -11,8 +11,8 @@
 #include "compiler/environment_text.h"
 #include "grammar/shown_line.h"
 #include "runtime/cli/io.h"
+#include "runtime/compare/golden_json.h"
 #include "runtime/develop/derive.h"
-#include "runtime/formats/golden_json.h"
 #include "runtime/inline_test.h"
 
 namespace plsc::cli {

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "runtime/body_difference.h"
+#include "runtime/compare/body_difference.h"
 #include "sim/body.h"
 
 namespace plsc {

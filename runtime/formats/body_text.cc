@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "runtime/body_difference.h"
+#include "runtime/compare/body_difference.h"
 
 namespace plsc {
 

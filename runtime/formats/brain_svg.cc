@@ -7,7 +7,7 @@
 #include <iterator>
 #include <set>
 
-#include "runtime/brain_difference.h"
+#include "runtime/compare/brain_difference.h"
 #include "runtime/formats/brain_layout.h"
 #include "runtime/formats/history_view.h"
 #include "runtime/formats/svg_panels.h"

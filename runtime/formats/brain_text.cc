@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "runtime/brain_difference.h"
+#include "runtime/compare/brain_difference.h"
 #include "runtime/formats/history_view.h"
 
 namespace plsc {

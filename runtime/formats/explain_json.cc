@@ -6,7 +6,7 @@
 
 #include "compiler/print.h"
 #include "compiler/truth.h"
-#include "runtime/body_difference.h"
+#include "runtime/compare/body_difference.h"
 #include "runtime/develop/provenance.h"
 #include "runtime/formats/history_json.h"
 #include "runtime/formats/svg_style.h"

@@ -2,7 +2,7 @@
 // text; what is read is printed as a text that reads as the same.
 
 #include "fuzz/require.h"
-#include "runtime/formats/golden_json.h"
+#include "runtime/compare/golden_json.h"
 
 namespace {
 

@@ -1,0 +1,170 @@
+#include "runtime/compare/environment_pairs.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <utility>
+
+#include "compiler/print.h"
+#include "compiler/truth.h"
+#include "runtime/develop/regimes.h"
+
+namespace plsc {
+
+namespace {
+
+std::optional<std::size_t> IndexOf(const std::vector<State>& states,
+                                   const std::string& name) {
+  const auto found =
+      std::find_if(states.begin(), states.end(),
+                   [&](const State& state) { return state.name == name; });
+  if (found == states.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - states.begin());
+}
+
+// What both versions mean by one state; nothing when they share no value that
+// could be compared.
+std::optional<State> Shared(const State& a, const State& b) {
+  if (a == b) return a;
+  if (a.type != StateType::kReal || b.type != a.type) return std::nullopt;
+  State both = a;
+  both.low = std::max(a.low, b.low);
+  both.high = std::min(a.high, b.high);
+  if (both.low > both.high) return std::nullopt;
+  return both;
+}
+
+// The states of both, and where each version has them.
+class StateUnion {
+ public:
+  StateUnion(const std::vector<State>& before, const std::vector<State>& after)
+      : states_(before) {
+    for (const State& state : after) {
+      const auto same = IndexOf(states_, state.name);
+      if (!same) {
+        states_.push_back(state);
+      } else if (const auto shared = Shared(states_[*same], state)) {
+        states_[*same] = *shared;
+      } else {
+        problem_ = fmt::format("'sense {}' changed its values", state.name);
+      }
+    }
+  }
+
+  const std::vector<State>& states() const { return states_; }
+  const std::string& problem() const { return problem_; }
+
+  /// A rule's clause, asking about these states.
+  Clause Moved(Clause clause, const std::vector<State>& from) const {
+    for (Term& term : clause.terms) {
+      const State& state = from[static_cast<std::size_t>(term.state)];
+      term.state = static_cast<StateId>(*IndexOf(states_, state.name));
+    }
+    return clause;
+  }
+
+  /// `values` of these states in those of one version.
+  Environment In(const std::vector<State>& version,
+                 const std::vector<double>& values) const {
+    Environment environment;
+    for (const State& state : version)
+      environment.values.push_back(values[*IndexOf(states_, state.name)]);
+    return environment;
+  }
+
+  /// Nothing when it does not say all.
+  std::optional<std::vector<double>> From(
+      const std::vector<State>& version, const Environment& environment) const {
+    std::vector<double> values;
+    for (const State& state : states_) {
+      const auto index = IndexOf(version, state.name);
+      if (!index) return std::nullopt;
+      values.push_back(environment.values[*index]);
+    }
+    return values;
+  }
+
+ private:
+  std::vector<State> states_;
+  std::string problem_;
+};
+
+std::string TextOf(const std::vector<double>& values,
+                   const std::vector<State>& states) {
+  if (states.empty()) return "any";
+  return PrintEnvironment(Environment{values}, states);
+}
+
+// Environments of one name in both files.
+SharedEnvironments Declared(const Program& before, const Program& after,
+                            std::string limitation) {
+  SharedEnvironments shared;
+  shared.limitation = std::move(limitation);
+  for (const NamedEnvironment& now : after.environments)
+    for (const NamedEnvironment& then : before.environments)
+      if (then.name == now.name)
+        shared.environments.push_back(
+            {PrintEnvironment(now.environment, after.genotype.states),
+             {now.name},
+             then.environment,
+             now.environment});
+  return shared;
+}
+
+// Which rules of both are active.
+std::vector<bool> ActiveIn(const Genotype& both,
+                           const std::vector<double>& values) {
+  std::vector<bool> active;
+  for (const Rule& rule : both.rules)
+    active.push_back(ClauseHolds(rule.clause, values));
+  return active;
+}
+
+}  // namespace
+
+SharedEnvironments FindSharedEnvironments(const Program& before,
+                                          const Program& after) {
+  const std::vector<State>& old_states = before.genotype.states;
+  const std::vector<State>& new_states = after.genotype.states;
+  const StateUnion all(old_states, new_states);
+  if (!all.problem().empty()) return Declared(before, after, all.problem());
+  Genotype both;
+  both.states = all.states();
+  for (const Rule& rule : before.genotype.rules)
+    both.rules.push_back({{}, all.Moved(rule.clause, old_states), {}});
+  for (const Rule& rule : after.genotype.rules)
+    both.rules.push_back({{}, all.Moved(rule.clause, new_states), {}});
+  const StateSpace space(both);
+  const auto regimes = FindRegimes(both, space);
+  if (!regimes)
+    return Declared(before, after,
+                    "the clauses tell apart too many environments");
+  SharedEnvironments shared;
+  std::map<std::vector<bool>, std::size_t> by_rules;
+  for (const Regime& regime : *regimes) {
+    const std::vector<double> values = space.At(regime.environment);
+    by_rules[ActiveIn(both, values)] = shared.environments.size();
+    shared.environments.push_back({TextOf(values, all.states()),
+                                   {},
+                                   all.In(old_states, values),
+                                   all.In(new_states, values)});
+  }
+  const auto name = [&](const Program& program) {
+    for (const NamedEnvironment& named : program.environments) {
+      const auto values = all.From(program.genotype.states, named.environment);
+      if (!values) continue;
+      const auto found = by_rules.find(ActiveIn(both, *values));
+      if (found == by_rules.end()) continue;  // beyond a range that shrank
+      auto& names = shared.environments[found->second].names;
+      if (std::find(names.begin(), names.end(), named.name) == names.end())
+        names.push_back(named.name);
+    }
+  };
+  name(after);
+  name(before);
+  return shared;
+}
+
+}  // namespace plsc
