@@ -9,8 +9,8 @@
 #include "grammar/shown_line.h"
 #include "runtime/cli/file_kind.h"
 #include "runtime/compare/golden_json.h"
-#include "runtime/formats/recording_json.h"
 #include "runtime/lint.h"
+#include "runtime/recording/recording_json.h"
 
 namespace plsc::cli {
 

@@ -8,7 +8,7 @@
 #include "runtime/cli/io.h"
 #include "runtime/cli/simulation_watch.h"
 #include "runtime/life/evaluation.h"
-#include "runtime/recording.h"
+#include "runtime/recording/recording.h"
 
 namespace plsc::cli {
 

@@ -15,10 +15,10 @@
 #include "runtime/cli/recorded_life.h"
 #include "runtime/cli/robot_source.h"
 #include "runtime/formats/path_svg.h"
-#include "runtime/formats/recording_json.h"
-#include "runtime/formats/trajectory_csv.h"
 #include "runtime/life/evaluation.h"
 #include "runtime/life/season_json.h"
+#include "runtime/recording/recording_json.h"
+#include "runtime/recording/trajectory_csv.h"
 
 namespace plsc::cli {
 

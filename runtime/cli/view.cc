@@ -8,8 +8,8 @@
 #include "runtime/cli/output_path.h"
 #include "runtime/cli/view_explain.h"
 #include "runtime/cli/view_lives.h"
-#include "runtime/formats/view_json.h"
 #include "runtime/pages/page.h"
+#include "runtime/recording/view_json.h"
 
 namespace plsc::cli {
 

@@ -17,7 +17,7 @@
 #include "runtime/cli/open_run.h"
 #include "runtime/cli/program.h"
 #include "runtime/cli/recorded_life.h"
-#include "runtime/formats/recording_json.h"
+#include "runtime/recording/recording_json.h"
 
 namespace plsc::cli {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "runtime/cli/commands.h"
-#include "runtime/formats/view_json.h"
+#include "runtime/recording/view_json.h"
 
 namespace plsc::cli {
 

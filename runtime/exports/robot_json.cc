@@ -4,7 +4,7 @@
 
 #include "runtime/exports/controller_json.h"
 #include "runtime/exports/exported_ground.h"
-#include "runtime/recording.h"
+#include "runtime/recording/recording.h"
 #include "runtime/scenario/scenario_terrain.h"
 #include "sim/ground.h"
 

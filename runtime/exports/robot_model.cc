@@ -7,7 +7,7 @@
 
 #include "runtime/exports/exported_ground.h"
 #include "runtime/life/evaluation.h"
-#include "runtime/recording.h"
+#include "runtime/recording/recording.h"
 #include "runtime/scenario/scenario_profile.h"
 
 namespace plsc {

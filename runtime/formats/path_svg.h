@@ -7,7 +7,7 @@
 
 #include <string>
 
-#include "runtime/recording.h"
+#include "runtime/recording/recording.h"
 
 namespace plsc {
 

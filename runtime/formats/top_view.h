@@ -6,7 +6,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "runtime/recording.h"
+#include "runtime/recording/recording.h"
 
 namespace plsc {
 

@@ -5,7 +5,7 @@
 
 #include "runtime/cli/interrupt.h"
 #include "sim/simulate.h"
-#include "tests/runtime/recorded.h"
+#include "tests/runtime/recording/recorded.h"
 
 namespace plsc {
 namespace {

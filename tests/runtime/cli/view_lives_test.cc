@@ -4,10 +4,10 @@
 #include <filesystem>
 #include <sstream>
 
-#include "runtime/formats/recording_json.h"
+#include "runtime/recording/recording_json.h"
 #include "tests/runtime/cli/run_plsc.h"
 #include "tests/runtime/cli/tiny_run.h"
-#include "tests/runtime/recorded.h"
+#include "tests/runtime/recording/recorded.h"
 
 namespace plsc {
 namespace {

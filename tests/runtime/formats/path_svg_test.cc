@@ -2,7 +2,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "tests/runtime/recorded.h"
+#include "tests/runtime/recording/recorded.h"
 
 namespace plsc {
 namespace {

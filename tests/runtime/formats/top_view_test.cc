@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "tests/runtime/recorded.h"
+#include "tests/runtime/recording/recorded.h"
 
 namespace plsc {
 namespace {

@@ -1,9 +1,9 @@
-#include "runtime/formats/view_json.h"
+#include "runtime/recording/view_json.h"
 
 #include <nlohmann/json.hpp>
 
-#include "runtime/formats/ground_json.h"
-#include "runtime/formats/recording_json.h"
+#include "runtime/recording/ground_json.h"
+#include "runtime/recording/recording_json.h"
 
 namespace plsc {
 

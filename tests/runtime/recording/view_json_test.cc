@@ -1,10 +1,10 @@
-#include "runtime/formats/view_json.h"
+#include "runtime/recording/view_json.h"
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
-#include "runtime/formats/recording_json.h"
-#include "tests/runtime/recorded.h"
+#include "runtime/recording/recording_json.h"
+#include "tests/runtime/recording/recorded.h"
 
 namespace plsc {
 namespace {

@@ -9,8 +9,8 @@
 #include <span>
 #include <utility>
 
-#include "runtime/formats/recording_json.h"
-#include "runtime/formats/track_text.h"
+#include "runtime/recording/recording_json.h"
+#include "runtime/recording/track.h"
 #include "runtime/scenario/scenario_terrain.h"
 #include "runtime/text/json_reader.h"
 #include "runtime/text/json_text.h"

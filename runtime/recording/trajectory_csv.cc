@@ -1,4 +1,4 @@
-#include "runtime/formats/trajectory_csv.h"
+#include "runtime/recording/trajectory_csv.h"
 
 #include <fmt/format.h>
 

@@ -1,9 +1,9 @@
-#include "runtime/formats/recording_json.h"
+#include "runtime/recording/recording_json.h"
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
-#include "tests/runtime/recorded.h"
+#include "tests/runtime/recording/recorded.h"
 
 namespace plsc {
 namespace {

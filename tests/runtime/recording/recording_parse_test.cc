@@ -2,8 +2,8 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 
-#include "runtime/formats/recording_json.h"
-#include "tests/runtime/recorded.h"
+#include "runtime/recording/recording_json.h"
+#include "tests/runtime/recording/recorded.h"
 
 namespace plsc {
 namespace {

@@ -1,9 +1,9 @@
-#include "runtime/recording.h"
+#include "runtime/recording/recording.h"
 
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>
 
-#include "tests/runtime/recorded.h"
+#include "tests/runtime/recording/recorded.h"
 
 namespace plsc {
 namespace {

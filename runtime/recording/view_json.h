@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "runtime/recording.h"
+#include "runtime/recording/recording.h"
 
 namespace plsc {
 

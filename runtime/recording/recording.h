@@ -3,7 +3,7 @@
 // A life as it can be shown again: what a Life leaves when it was watched,
 // reduced to what a picture needs. All that later tools (replays, plots) know
 // of a robot; they need neither the language nor ODE. Files of it:
-// runtime/formats/recording_json.h.
+// runtime/recording/recording_json.h.
 
 #include <Eigen/Core>
 #include <optional>

@@ -1,4 +1,4 @@
-#include "runtime/formats/track_text.h"
+#include "runtime/recording/track.h"
 
 #include <array>
 #include <cassert>

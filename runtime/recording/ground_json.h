@@ -7,7 +7,7 @@
 #include <Eigen/Geometry>
 #include <string>
 
-#include "runtime/recording.h"
+#include "runtime/recording/recording.h"
 
 namespace plsc {
 

@@ -1,9 +1,9 @@
-#include "runtime/formats/ground_json.h"
+#include "runtime/recording/ground_json.h"
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
-#include "runtime/formats/track_text.h"
+#include "runtime/recording/track.h"
 #include "sim/height_field.h"
 
 namespace plsc {

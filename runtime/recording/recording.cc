@@ -1,4 +1,4 @@
-#include "runtime/recording.h"
+#include "runtime/recording/recording.h"
 
 #include <Eigen/Geometry>
 #include <cassert>

@@ -1,8 +1,8 @@
-#include "runtime/formats/recording_json.h"
+#include "runtime/recording/recording_json.h"
 
 #include <nlohmann/json.hpp>
 
-#include "runtime/formats/track_text.h"
+#include "runtime/recording/track.h"
 #include "runtime/scenario/scenario_terrain.h"
 
 namespace plsc {

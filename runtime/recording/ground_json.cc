@@ -1,10 +1,10 @@
-#include "runtime/formats/ground_json.h"
+#include "runtime/recording/ground_json.h"
 
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "runtime/formats/track_text.h"
+#include "runtime/recording/track.h"
 #include "sim/height_field.h"
 #include "sim/static_boxes.h"
 

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "grammar/result.h"
-#include "runtime/recording.h"
+#include "runtime/recording/recording.h"
 
 namespace plsc {
 
