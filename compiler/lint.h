@@ -2,7 +2,7 @@
 
 // Advice on programs that are right, by the truth tables of their clauses:
 // what Compile does not warn of, because most random genotypes have it and
-// mean it. What development has to say is in runtime/lint.h.
+// mean it. What development has to say is in runtime/advice/lint.h.
 
 #include <vector>
 

@@ -15,7 +15,7 @@ namespace plsc::cli {
 /// What an example is, and so which stage gives its code.
 enum class ExampleKind : std::uint8_t {
   kGenotype,    ///< compiled
-  kLint,        ///< compiled, then looked at for advice (runtime/lint.h)
+  kLint,        ///< compiled, then looked at for advice (runtime/advice/lint.h)
   kDevelop,     ///< compiles, but cannot be developed
   kTest,        ///< compiles, but its own tests fail
   kTrim,        ///< compiles, but cannot be trimmed

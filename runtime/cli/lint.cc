@@ -1,4 +1,4 @@
-#include "runtime/lint.h"
+#include "runtime/advice/lint.h"
 #include "grammar/shown_line.h"
 
 #include <fmt/format.h>

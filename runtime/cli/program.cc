@@ -13,9 +13,9 @@
 #include "compiler/print.h"
 #include "grammar/shown_line.h"
 #include "grammar/suggest.h"
+#include "runtime/advice/lint.h"
 #include "runtime/develop/derive.h"
 #include "runtime/develop/growth.h"
-#include "runtime/lint.h"
 
 namespace plsc::cli {
 

@@ -2,10 +2,10 @@
 
 #include <ostream>
 
+#include "runtime/advice/stats_text.h"
 #include "runtime/cli/commands.h"
 #include "runtime/cli/program.h"
 #include "runtime/develop/regimes.h"
-#include "runtime/formats/stats_text.h"
 
 namespace plsc::cli {
 

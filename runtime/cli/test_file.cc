@@ -10,10 +10,10 @@
 #include "compiler/compile.h"
 #include "compiler/environment_text.h"
 #include "grammar/shown_line.h"
+#include "runtime/advice/expectations.h"
 #include "runtime/cli/io.h"
 #include "runtime/compare/golden_json.h"
 #include "runtime/develop/derive.h"
-#include "runtime/inline_test.h"
 
 namespace plsc::cli {
 

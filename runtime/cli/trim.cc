@@ -1,4 +1,4 @@
-#include "runtime/trim.h"
+#include "runtime/advice/trim.h"
 #include "grammar/shown_line.h"
 
 #include <fmt/format.h>

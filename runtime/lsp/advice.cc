@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "compiler/suppress.h"
-#include "runtime/lint.h"
+#include "runtime/advice/lint.h"
 
 namespace plsc::lsp {
 

@@ -15,14 +15,14 @@
 #include "compiler/compile.h"
 #include "compiler/state_space.h"
 #include "fuzz/require.h"
+#include "runtime/advice/expectations.h"
+#include "runtime/advice/lint.h"
 #include "runtime/develop/derivation.h"
 #include "runtime/develop/derive.h"
 #include "runtime/develop/develop.h"
 #include "runtime/develop/growth.h"
 #include "runtime/develop/regulate.h"
 #include "runtime/develop/trace.h"
-#include "runtime/inline_test.h"
-#include "runtime/lint.h"
 
 namespace {
 

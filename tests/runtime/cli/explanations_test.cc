@@ -9,11 +9,11 @@
 
 #include "compiler/compile.h"
 #include "grammar/codes.h"
+#include "runtime/advice/expectations.h"
+#include "runtime/advice/lint.h"
+#include "runtime/advice/trim.h"
 #include "runtime/authors/genotype.h"
 #include "runtime/evolve/experiment.h"
-#include "runtime/inline_test.h"
-#include "runtime/lint.h"
-#include "runtime/trim.h"
 #include "tests/runtime/cli/run_plsc.h"
 
 namespace plsc {

@@ -2,7 +2,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "runtime/lint.h"
+#include "runtime/advice/lint.h"
 #include "tests/runtime/lsp/editor.h"
 
 namespace plsc::lsp {

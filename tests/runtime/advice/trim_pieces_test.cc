@@ -1,4 +1,4 @@
-#include "runtime/trim_pieces.h"
+#include "runtime/advice/trim_pieces.h"
 
 #include <catch2/catch.hpp>
 

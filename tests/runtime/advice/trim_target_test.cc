@@ -1,4 +1,4 @@
-#include "runtime/trim_target.h"
+#include "runtime/advice/trim_target.h"
 
 #include <catch2/catch.hpp>
 

@@ -1,4 +1,4 @@
-#include "runtime/lint_expression.h"
+#include "runtime/advice/lint_expression.h"
 
 #include <fmt/format.h>
 

@@ -12,7 +12,7 @@
 #include <string>
 
 #include "grammar/codes.h"
-#include "runtime/lint.h"
+#include "runtime/advice/lint.h"
 
 namespace plsc {
 namespace {

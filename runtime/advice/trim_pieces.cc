@@ -1,4 +1,4 @@
-#include "runtime/trim_pieces.h"
+#include "runtime/advice/trim_pieces.h"
 
 #include <algorithm>
 #include <map>

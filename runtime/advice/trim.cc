@@ -1,13 +1,13 @@
-#include "runtime/trim.h"
+#include "runtime/advice/trim.h"
 
 #include <algorithm>
 #include <cassert>
 #include <utility>
 
+#include "runtime/advice/trim_pieces.h"
+#include "runtime/advice/trim_target.h"
+#include "runtime/advice/trim_text.h"
 #include "runtime/develop/trace.h"
-#include "runtime/trim_pieces.h"
-#include "runtime/trim_target.h"
-#include "runtime/trim_text.h"
 
 namespace plsc {
 

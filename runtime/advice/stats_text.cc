@@ -1,4 +1,4 @@
-#include "runtime/formats/stats_text.h"
+#include "runtime/advice/stats_text.h"
 
 #include <fmt/format.h>
 

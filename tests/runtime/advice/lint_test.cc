@@ -1,4 +1,4 @@
-#include "runtime/lint.h"
+#include "runtime/advice/lint.h"
 
 #include <catch2/catch.hpp>
 

@@ -20,7 +20,7 @@ namespace plsc {
 ///   W3003, W3004, W3005  see compiler/lint.h
 ///   W4001  in some environment the string would grow beyond its limit.
 ///   W4002  a symbol that no environment expresses, or a rule that rewrites
-///          nothing in any (runtime/lint_expression.h).
+///          nothing in any (runtime/advice/lint_expression.h).
 ///   W4003  a controller command that somewhere changes another joint than the
 ///          one before it.
 ///   W4004  a rule of C that rewriting repeats in place.

@@ -1,4 +1,4 @@
-#include "runtime/inline_test.h"
+#include "runtime/advice/expectations.h"
 
 #include <fmt/format.h>
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "compiler/compile.h"
-#include "runtime/trim_pieces.h"
+#include "runtime/advice/trim_pieces.h"
 
 namespace plsc {
 

@@ -1,4 +1,4 @@
-#include "runtime/trim_target.h"
+#include "runtime/advice/trim_target.h"
 
 #include <fmt/format.h>
 
@@ -7,10 +7,10 @@
 #include <string>
 #include <utility>
 
+#include "runtime/advice/expectations.h"
+#include "runtime/advice/lint.h"
 #include "runtime/develop/derive.h"
 #include "runtime/develop/growth.h"
-#include "runtime/inline_test.h"
-#include "runtime/lint.h"
 
 namespace plsc {
 

@@ -1,4 +1,4 @@
-#include "runtime/trim_text.h"
+#include "runtime/advice/trim_text.h"
 
 #include <algorithm>
 #include <catch2/catch.hpp>

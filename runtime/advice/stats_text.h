@@ -5,7 +5,7 @@
 #include <string>
 
 #include "compiler/genotype.h"
-#include "runtime/genotype_stats.h"
+#include "runtime/advice/genotype_stats.h"
 
 namespace plsc {
 

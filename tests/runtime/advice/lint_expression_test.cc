@@ -1,4 +1,4 @@
-#include "runtime/lint_expression.h"
+#include "runtime/advice/lint_expression.h"
 
 #include <catch2/catch.hpp>
 #include <random>

@@ -1,4 +1,4 @@
-#include "runtime/lint.h"
+#include "runtime/advice/lint.h"
 
 #include <fmt/format.h>
 
@@ -11,10 +11,10 @@
 #include "compiler/lint.h"
 #include "compiler/suppress.h"
 #include "grammar/parse.h"
+#include "runtime/advice/lint_expression.h"
 #include "runtime/develop/derive.h"
 #include "runtime/develop/growth.h"
 #include "runtime/develop/regimes.h"
-#include "runtime/lint_expression.h"
 
 namespace plsc {
 

@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "compiler/compile.h"
+#include "runtime/advice/trim_pieces.h"
 #include "runtime/develop/developed.h"
 #include "runtime/develop/regimes.h"
-#include "runtime/trim_pieces.h"
 
 namespace plsc {
 

@@ -1,4 +1,4 @@
-#include "runtime/genotype_stats.h"
+#include "runtime/advice/genotype_stats.h"
 
 #include <algorithm>
 #include <set>
