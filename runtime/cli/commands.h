@@ -77,7 +77,7 @@ struct FmtCommand {
   bool compact = false;
 };
 
-/// Of the evolver's streams of random numbers (runtime/evolve/rng.h): those of
+/// Of the evolver's streams of random numbers (runtime/vary/rng.h): those of
 /// the child that a run would bear then.
 struct StreamChoice {
   std::uint64_t seed = 0;

@@ -10,7 +10,7 @@
 #include "runtime/cli/offspring.h"
 #include "runtime/cli/output_path.h"
 #include "runtime/cli/program.h"
-#include "runtime/evolve/crossover.h"
+#include "runtime/vary/crossover.h"
 
 namespace plsc::cli {
 

@@ -1,4 +1,4 @@
-#include "runtime/evolve/mutate.h"
+#include "runtime/vary/mutate.h"
 #include "grammar/shown_line.h"
 
 #include <fmt/format.h>

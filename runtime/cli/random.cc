@@ -12,8 +12,8 @@
 #include "runtime/cli/offspring.h"
 #include "runtime/cli/output_path.h"
 #include "runtime/evolve/breed.h"
-#include "runtime/evolve/initialise.h"
-#include "runtime/evolve/rng.h"
+#include "runtime/vary/initialise.h"
+#include "runtime/vary/rng.h"
 
 namespace plsc::cli {
 

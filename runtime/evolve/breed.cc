@@ -4,9 +4,9 @@
 
 #include <utility>
 
-#include "runtime/evolve/crossover.h"
 #include "runtime/evolve/inherit.h"
 #include "runtime/evolve/select.h"
+#include "runtime/vary/crossover.h"
 
 namespace plsc {
 

@@ -8,9 +8,9 @@
 #include <string>
 
 #include "grammar/result.h"
-#include "runtime/evolve/initialise.h"
-#include "runtime/evolve/mutate.h"
 #include "runtime/scenario/scenario_profile.h"
+#include "runtime/vary/initialise.h"
+#include "runtime/vary/mutate.h"
 
 namespace plsc {
 

@@ -10,8 +10,8 @@
 
 #include "compiler/genotype.h"
 #include "runtime/evolve/consolidate.h"
-#include "runtime/evolve/mutate.h"
 #include "runtime/life/evaluation.h"
+#include "runtime/vary/mutate.h"
 
 namespace plsc {
 

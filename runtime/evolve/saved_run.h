@@ -2,7 +2,7 @@
 
 // Where a run stood when it was left, all that is needed to go on: there is no
 // state of random numbers, because every stream is named by who needs it
-// (runtime/evolve/rng.h).
+// (runtime/vary/rng.h).
 
 #include <cstdint>
 #include <map>

@@ -8,7 +8,7 @@
 #include <functional>
 #include <vector>
 
-#include "runtime/evolve/rng.h"
+#include "runtime/vary/rng.h"
 
 namespace plsc {
 

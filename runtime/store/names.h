@@ -9,9 +9,9 @@
 #include <string_view>
 #include <vector>
 
-#include "runtime/evolve/mutate.h"
 #include "runtime/life/evaluation.h"
 #include "runtime/text/key.h"
+#include "runtime/vary/mutate.h"
 
 namespace plsc {
 

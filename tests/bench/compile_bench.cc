@@ -21,7 +21,7 @@
 #include "compiler/compile.h"
 #include "compiler/print.h"
 #include "grammar/parse.h"
-#include "runtime/evolve/initialise.h"
+#include "runtime/vary/initialise.h"
 
 namespace plsc {
 namespace {

@@ -16,8 +16,8 @@
 #include <vector>
 
 #include "compiler/print.h"
-#include "runtime/evolve/initialise.h"
 #include "runtime/lsp/server.h"
+#include "runtime/vary/initialise.h"
 
 namespace plsc {
 namespace {

@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "runtime/develop/develop.h"
-#include "runtime/evolve/initialise.h"
+#include "runtime/vary/initialise.h"
 #include "sim/measures.h"
 #include "sim/overlap.h"
 #include "sim/simulate.h"

@@ -7,8 +7,8 @@
 
 #include "compiler/print.h"
 #include "runtime/develop/develop.h"
-#include "runtime/evolve/initialise.h"
-#include "runtime/evolve/mutate.h"
+#include "runtime/vary/initialise.h"
+#include "runtime/vary/mutate.h"
 #include "tests/runtime/develop/compile_text.h"
 #include "tests/runtime/develop/reference_cases.h"
 

@@ -8,7 +8,7 @@
 #include "compiler/compile.h"
 #include "compiler/print.h"
 #include "compiler/verify.h"
-#include "tests/runtime/evolve/chi_square.h"
+#include "tests/runtime/vary/chi_square.h"
 
 namespace plsc {
 

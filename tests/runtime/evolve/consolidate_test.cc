@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "runtime/evolve/rng.h"
+#include "runtime/vary/rng.h"
 
 namespace plsc {
 

@@ -11,7 +11,7 @@
 #include "compiler/verify.h"
 #include "runtime/develop/develop.h"
 #include "runtime/evolve/breed.h"
-#include "tests/runtime/evolve/reference_statistics.h"
+#include "tests/runtime/vary/reference_statistics.h"
 
 namespace plsc {
 

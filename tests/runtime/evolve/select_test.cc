@@ -4,7 +4,7 @@
 #include <set>
 #include <vector>
 
-#include "tests/runtime/evolve/chi_square.h"
+#include "tests/runtime/vary/chi_square.h"
 
 namespace plsc {
 

@@ -9,7 +9,7 @@
 #include <optional>
 
 #include "compiler/genotype.h"
-#include "runtime/evolve/mutate.h"
+#include "runtime/vary/mutate.h"
 
 namespace plsc::test {
 

@@ -1,4 +1,4 @@
-#include "runtime/evolve/crossover.h"
+#include "runtime/vary/crossover.h"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "runtime/evolve/breed.h"
-#include "runtime/evolve/initialise.h"
-#include "tests/runtime/evolve/reference_statistics.h"
+#include "runtime/vary/initialise.h"
+#include "tests/runtime/vary/reference_statistics.h"
 
 namespace plsc {
 

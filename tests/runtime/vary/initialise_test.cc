@@ -1,4 +1,4 @@
-#include "runtime/evolve/initialise.h"
+#include "runtime/vary/initialise.h"
 
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -6,7 +6,7 @@
 #include <set>
 #include <string>
 
-#include "tests/runtime/evolve/chi_square.h"
+#include "tests/runtime/vary/chi_square.h"
 
 namespace plsc {
 

@@ -6,8 +6,8 @@
 #include <set>
 #include <string>
 
-#include "runtime/evolve/mutate.h"
-#include "tests/runtime/evolve/chi_square.h"
+#include "runtime/vary/mutate.h"
+#include "tests/runtime/vary/chi_square.h"
 
 namespace plsc {
 

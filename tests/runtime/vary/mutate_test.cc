@@ -1,4 +1,4 @@
-#include "runtime/evolve/mutate.h"
+#include "runtime/vary/mutate.h"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
@@ -6,7 +6,7 @@
 #include <set>
 #include <utility>
 
-#include "tests/runtime/evolve/chi_square.h"
+#include "tests/runtime/vary/chi_square.h"
 
 namespace plsc {
 

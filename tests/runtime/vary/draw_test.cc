@@ -1,10 +1,10 @@
-#include "runtime/evolve/draw.h"
+#include "runtime/vary/draw.h"
 
 #include <catch2/catch.hpp>
 #include <set>
 #include <vector>
 
-#include "tests/runtime/evolve/chi_square.h"
+#include "tests/runtime/vary/chi_square.h"
 
 namespace plsc {
 

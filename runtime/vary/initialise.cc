@@ -1,8 +1,8 @@
-#include "runtime/evolve/initialise.h"
+#include "runtime/vary/initialise.h"
 
 #include <cassert>
 
-#include "runtime/evolve/draw.h"
+#include "runtime/vary/draw.h"
 
 namespace plsc {
 

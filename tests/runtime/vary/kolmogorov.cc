@@ -1,4 +1,4 @@
-#include "tests/runtime/evolve/kolmogorov.h"
+#include "tests/runtime/vary/kolmogorov.h"
 
 #include <algorithm>
 #include <cassert>

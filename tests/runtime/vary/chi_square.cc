@@ -1,4 +1,4 @@
-#include "tests/runtime/evolve/chi_square.h"
+#include "tests/runtime/vary/chi_square.h"
 
 #include <cassert>
 #include <cmath>

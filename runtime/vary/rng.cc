@@ -1,4 +1,4 @@
-#include "runtime/evolve/rng.h"
+#include "runtime/vary/rng.h"
 
 #include <Random123/philox.h>
 

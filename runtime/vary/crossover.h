@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "compiler/genotype.h"
-#include "runtime/evolve/rng.h"
+#include "runtime/vary/rng.h"
 
 namespace plsc {
 

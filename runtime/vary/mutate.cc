@@ -1,11 +1,11 @@
-#include "runtime/evolve/mutate.h"
+#include "runtime/vary/mutate.h"
 
 #include <algorithm>
 #include <cassert>
 #include <iterator>
 #include <utility>
 
-#include "runtime/evolve/draw.h"
+#include "runtime/vary/draw.h"
 
 namespace plsc {
 

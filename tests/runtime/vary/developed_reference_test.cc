@@ -10,9 +10,9 @@
 #include "runtime/develop/derive.h"
 #include "runtime/develop/descriptors.h"
 #include "runtime/develop/develop.h"
-#include "runtime/evolve/initialise.h"
-#include "tests/runtime/evolve/chi_square.h"
-#include "tests/runtime/evolve/reference_statistics.h"
+#include "runtime/vary/initialise.h"
+#include "tests/runtime/vary/chi_square.h"
+#include "tests/runtime/vary/reference_statistics.h"
 
 namespace plsc {
 

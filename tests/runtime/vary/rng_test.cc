@@ -1,11 +1,11 @@
-#include "runtime/evolve/rng.h"
+#include "runtime/vary/rng.h"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <set>
 #include <vector>
 
-#include "tests/runtime/evolve/chi_square.h"
+#include "tests/runtime/vary/chi_square.h"
 
 namespace plsc {
 

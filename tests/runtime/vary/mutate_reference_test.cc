@@ -9,9 +9,9 @@
 #include <utility>
 #include <vector>
 
-#include "runtime/evolve/mutate.h"
-#include "tests/runtime/evolve/chi_square.h"
-#include "tests/runtime/evolve/reference_statistics.h"
+#include "runtime/vary/mutate.h"
+#include "tests/runtime/vary/chi_square.h"
+#include "tests/runtime/vary/reference_statistics.h"
 
 namespace plsc {
 

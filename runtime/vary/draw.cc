@@ -1,4 +1,4 @@
-#include "runtime/evolve/draw.h"
+#include "runtime/vary/draw.h"
 
 #include <algorithm>
 #include <cassert>

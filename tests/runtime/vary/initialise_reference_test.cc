@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "compiler/print.h"
-#include "runtime/evolve/initialise.h"
-#include "tests/runtime/evolve/chi_square.h"
-#include "tests/runtime/evolve/kolmogorov.h"
-#include "tests/runtime/evolve/reference_statistics.h"
+#include "runtime/vary/initialise.h"
+#include "tests/runtime/vary/chi_square.h"
+#include "tests/runtime/vary/kolmogorov.h"
+#include "tests/runtime/vary/reference_statistics.h"
 
 namespace plsc {
 

@@ -8,7 +8,7 @@
 #include <optional>
 #include <string_view>
 
-#include "runtime/evolve/initialise.h"
+#include "runtime/vary/initialise.h"
 
 namespace plsc {
 

@@ -1,4 +1,4 @@
-#include "runtime/evolve/crossover.h"
+#include "runtime/vary/crossover.h"
 
 #include <cassert>
 

@@ -1,9 +1,9 @@
-#include "tests/runtime/evolve/kolmogorov.h"
+#include "tests/runtime/vary/kolmogorov.h"
 
 #include <catch2/catch.hpp>
 #include <vector>
 
-#include "tests/runtime/evolve/chi_square.h"
+#include "tests/runtime/vary/chi_square.h"
 
 namespace plsc::test {
 

@@ -1,4 +1,4 @@
-#include "tests/runtime/evolve/reference_statistics.h"
+#include "tests/runtime/vary/reference_statistics.h"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <fstream>
 #include <numeric>
 
-#include "tests/runtime/evolve/chi_square.h"
+#include "tests/runtime/vary/chi_square.h"
 
 namespace plsc::test {
 
