@@ -13,7 +13,7 @@
 #include "runtime/cli/interrupt.h"
 #include "runtime/cli/line_reader.h"
 #include "runtime/cli/load_yaml.h"
-#include "runtime/evolve/judge.h"
+#include "runtime/evolve/worker_request.h"
 #include "runtime/workers/worker_count.h"
 #include "runtime/workers/worker_pool.h"
 

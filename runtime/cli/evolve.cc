@@ -10,7 +10,7 @@
 #include "runtime/cli/progress.h"
 #include "runtime/cli/robot_text.h"
 #include "runtime/cli/run_experiment.h"
-#include "runtime/evolve/judge.h"
+#include "runtime/evolve/worker_request.h"
 #include "runtime/text/json_dump.h"
 
 namespace plsc::cli {

@@ -16,7 +16,7 @@
 #include "runtime/cli/json_log.h"
 #include "runtime/cli/open_run.h"
 #include "runtime/cli/progress.h"
-#include "runtime/evolve/judge.h"
+#include "runtime/evolve/worker_request.h"
 #include "runtime/store/lock.h"
 #include "runtime/store/run_store.h"
 #include "runtime/store/salvage.h"

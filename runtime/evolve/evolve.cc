@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "runtime/evolve/breed.h"
-#include "runtime/evolve/judge.h"
 #include "runtime/evolve/select.h"
+#include "runtime/evolve/worker_request.h"
 #include "runtime/workers/worker_count.h"
 #include "runtime/workers/worker_pool.h"
 

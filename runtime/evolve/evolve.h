@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "runtime/evolve/experiment.h"
+#include "runtime/evolve/generation_evaluator.h"
 #include "runtime/evolve/individual.h"
-#include "runtime/evolve/judging.h"
 #include "runtime/evolve/run_observer.h"
 #include "runtime/evolve/saved_run.h"
 #include "runtime/evolve/season_progress.h"

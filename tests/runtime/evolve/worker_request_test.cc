@@ -1,4 +1,4 @@
-#include "runtime/evolve/judge.h"
+#include "runtime/evolve/worker_request.h"
 
 #include <catch2/catch.hpp>
 

@@ -1,9 +1,9 @@
-#include "runtime/evolve/judging.h"
+#include "runtime/evolve/generation_evaluator.h"
 
 #include <catch2/catch.hpp>
 
 #include "runtime/evolve/breed.h"
-#include "runtime/evolve/judge.h"
+#include "runtime/evolve/worker_request.h"
 #include "tests/runtime/evolve/fake_run.h"
 #include "tests/runtime/workers/here.h"
 

@@ -11,8 +11,8 @@
 
 #include "runtime/develop/descriptors.h"
 #include "runtime/evolve/evolve.h"
-#include "runtime/evolve/judge.h"
-#include "runtime/evolve/judging.h"
+#include "runtime/evolve/generation_evaluator.h"
+#include "runtime/evolve/worker_request.h"
 #include "tests/runtime/develop/compile_text.h"
 #include "tests/runtime/evolve/fake_run.h"
 #include "tests/runtime/evolve/memory_cache.h"

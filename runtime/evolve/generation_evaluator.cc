@@ -1,9 +1,9 @@
-#include "runtime/evolve/judging.h"
+#include "runtime/evolve/generation_evaluator.h"
 
 #include <cassert>
 #include <utility>
 
-#include "runtime/evolve/judge.h"
+#include "runtime/evolve/worker_request.h"
 
 namespace plsc {
 
