@@ -15,10 +15,10 @@
 #include "runtime/develop/develop.h"
 #include "runtime/develop/growth.h"
 #include "runtime/develop/phenotype_json.h"
-#include "runtime/formats/body_svg.h"
-#include "runtime/formats/body_text.h"
 #include "runtime/formats/history_json.h"
 #include "runtime/formats/history_text.h"
+#include "runtime/pictures/body_svg.h"
+#include "runtime/pictures/body_text.h"
 #include "runtime/text/json_dump.h"
 
 namespace plsc::cli {

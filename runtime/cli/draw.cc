@@ -14,11 +14,11 @@
 #include "runtime/cli/robot_source.h"
 #include "runtime/compare/brain_difference.h"
 #include "runtime/develop/trace.h"
-#include "runtime/formats/bodies_svg.h"
-#include "runtime/formats/body_text.h"
-#include "runtime/formats/brain_svg.h"
-#include "runtime/formats/brain_text.h"
-#include "runtime/formats/side_by_side.h"
+#include "runtime/pictures/bodies_svg.h"
+#include "runtime/pictures/body_text.h"
+#include "runtime/pictures/brain_svg.h"
+#include "runtime/pictures/brain_text.h"
+#include "runtime/pictures/side_by_side.h"
 
 namespace plsc::cli {
 

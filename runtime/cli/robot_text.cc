@@ -4,8 +4,8 @@
 
 #include "grammar/shown_line.h"
 #include "runtime/develop/develop.h"
-#include "runtime/formats/body_text.h"
 #include "runtime/life/season_teller.h"
+#include "runtime/pictures/body_text.h"
 
 namespace plsc::cli {
 

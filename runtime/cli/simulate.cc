@@ -14,9 +14,9 @@
 #include "runtime/cli/program.h"
 #include "runtime/cli/recorded_life.h"
 #include "runtime/cli/robot_source.h"
-#include "runtime/formats/path_svg.h"
 #include "runtime/life/evaluation.h"
 #include "runtime/life/season_json.h"
+#include "runtime/pictures/path_svg.h"
 #include "runtime/recording/recording_json.h"
 #include "runtime/recording/trajectory_csv.h"
 

@@ -9,7 +9,7 @@
 #include "runtime/compare/body_difference.h"
 #include "runtime/develop/provenance.h"
 #include "runtime/formats/history_json.h"
-#include "runtime/formats/svg_style.h"
+#include "runtime/pictures/svg_style.h"
 #include "runtime/text/json_dump.h"
 
 namespace plsc {

@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "runtime/formats/svg_style.h"
 #include "runtime/pages/bundles.h"
+#include "runtime/pictures/svg_style.h"
 
 namespace plsc {
 

@@ -7,8 +7,8 @@
 #include "compiler/print.h"
 #include "runtime/develop/develop.h"
 #include "runtime/develop/phenotype_json.h"
-#include "runtime/formats/body_svg.h"
 #include "runtime/life/season_teller.h"
+#include "runtime/pictures/body_svg.h"
 
 namespace plsc {
 

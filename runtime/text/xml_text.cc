@@ -1,6 +1,6 @@
 #include "runtime/text/xml_text.h"
 
-#include "runtime/formats/svg_style.h"
+#include "runtime/pictures/svg_style.h"
 
 namespace plsc {
 

@@ -3,7 +3,7 @@
 #include "tests/runtime/cli/png_size.h"
 #include "tests/runtime/cli/run_plsc.h"
 #include "tests/runtime/cli/tiny_run.h"
-#include "tests/runtime/formats/count.h"
+#include "tests/runtime/pictures/count.h"
 
 namespace plsc {
 namespace {

@@ -3,8 +3,8 @@
 #include <catch2/catch.hpp>
 
 #include "runtime/develop/regulate.h"
-#include "runtime/formats/body_svg.h"
 #include "runtime/life/season_teller.h"
+#include "runtime/pictures/body_svg.h"
 #include "tests/runtime/store/stored_run.h"
 #include "tests/runtime/study/small_study.h"
 

@@ -1,7 +1,7 @@
-#include "runtime/formats/body_shapes.h"
+#include "runtime/pictures/body_shapes.h"
 
 #include "tests/runtime/develop/grown.h"
-#include "tests/runtime/formats/count.h"
+#include "tests/runtime/pictures/count.h"
 
 namespace plsc {
 namespace {

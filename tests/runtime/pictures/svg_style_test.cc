@@ -1,4 +1,4 @@
-#include "runtime/formats/svg_style.h"
+#include "runtime/pictures/svg_style.h"
 
 #include <catch2/catch.hpp>
 #include <set>

@@ -1,4 +1,4 @@
-#include "runtime/formats/body_svg.h"
+#include "runtime/pictures/body_svg.h"
 
 #include <catch2/catch.hpp>
 

@@ -1,4 +1,4 @@
-#include "runtime/formats/side_by_side.h"
+#include "runtime/pictures/side_by_side.h"
 
 #include <catch2/catch.hpp>
 

@@ -1,4 +1,4 @@
-#include "runtime/formats/brain_layout.h"
+#include "runtime/pictures/brain_layout.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -1,4 +1,4 @@
-#include "runtime/formats/path_svg.h"
+#include "runtime/pictures/path_svg.h"
 
 #include <fmt/format.h>
 
@@ -9,9 +9,9 @@
 #include <numbers>
 #include <vector>
 
-#include "runtime/formats/map_view.h"
-#include "runtime/formats/svg_style.h"
-#include "runtime/formats/top_view.h"
+#include "runtime/pictures/map_view.h"
+#include "runtime/pictures/svg_style.h"
+#include "runtime/pictures/top_view.h"
 
 namespace plsc {
 

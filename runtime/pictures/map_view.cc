@@ -1,4 +1,4 @@
-#include "runtime/formats/map_view.h"
+#include "runtime/pictures/map_view.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "runtime/formats/body_shapes.h"
+#include "runtime/pictures/body_shapes.h"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include <iterator>
 #include <set>
 
-#include "runtime/formats/svg_style.h"
+#include "runtime/pictures/svg_style.h"
 
 namespace plsc {
 

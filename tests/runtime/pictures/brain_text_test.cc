@@ -1,4 +1,4 @@
-#include "runtime/formats/brain_text.h"
+#include "runtime/pictures/brain_text.h"
 
 #include "tests/runtime/develop/grown.h"
 

@@ -1,4 +1,4 @@
-#include "runtime/formats/svg_panels.h"
+#include "runtime/pictures/svg_panels.h"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <iterator>
 
-#include "runtime/formats/svg_style.h"
+#include "runtime/pictures/svg_style.h"
 
 namespace plsc {
 

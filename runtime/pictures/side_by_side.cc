@@ -1,8 +1,8 @@
-#include "runtime/formats/side_by_side.h"
+#include "runtime/pictures/side_by_side.h"
 
 #include <algorithm>
 
-#include "runtime/formats/svg_style.h"
+#include "runtime/pictures/svg_style.h"
 
 namespace plsc {
 

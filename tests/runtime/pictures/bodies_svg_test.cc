@@ -1,7 +1,7 @@
-#include "runtime/formats/bodies_svg.h"
+#include "runtime/pictures/bodies_svg.h"
 
 #include "tests/runtime/develop/grown.h"
-#include "tests/runtime/formats/count.h"
+#include "tests/runtime/pictures/count.h"
 
 namespace plsc {
 namespace {

@@ -1,4 +1,4 @@
-#include "runtime/formats/brain_svg.h"
+#include "runtime/pictures/brain_svg.h"
 
 #include <fmt/format.h>
 
@@ -8,10 +8,10 @@
 #include <set>
 
 #include "runtime/compare/brain_difference.h"
-#include "runtime/formats/brain_layout.h"
 #include "runtime/formats/history_view.h"
-#include "runtime/formats/svg_panels.h"
-#include "runtime/formats/svg_style.h"
+#include "runtime/pictures/brain_layout.h"
+#include "runtime/pictures/svg_panels.h"
+#include "runtime/pictures/svg_style.h"
 
 namespace plsc {
 

@@ -1,4 +1,4 @@
-#include "runtime/formats/top_view.h"
+#include "runtime/pictures/top_view.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

@@ -1,8 +1,8 @@
-#include "runtime/formats/svg_panels.h"
+#include "runtime/pictures/svg_panels.h"
 
 #include <catch2/catch.hpp>
 
-#include "tests/runtime/formats/count.h"
+#include "tests/runtime/pictures/count.h"
 
 namespace plsc {
 namespace {

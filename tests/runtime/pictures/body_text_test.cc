@@ -1,4 +1,4 @@
-#include "runtime/formats/body_text.h"
+#include "runtime/pictures/body_text.h"
 
 #include <catch2/catch.hpp>
 

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "runtime/formats/body_shapes.h"
+#include "runtime/pictures/body_shapes.h"
 #include "sim/body.h"
 
 namespace plsc {

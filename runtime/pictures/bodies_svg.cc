@@ -1,4 +1,4 @@
-#include "runtime/formats/bodies_svg.h"
+#include "runtime/pictures/bodies_svg.h"
 
 #include <fmt/format.h>
 
@@ -8,9 +8,9 @@
 #include <set>
 #include <utility>
 
-#include "runtime/formats/body_shapes.h"
-#include "runtime/formats/svg_panels.h"
-#include "runtime/formats/svg_style.h"
+#include "runtime/pictures/body_shapes.h"
+#include "runtime/pictures/svg_panels.h"
+#include "runtime/pictures/svg_style.h"
 
 namespace plsc {
 

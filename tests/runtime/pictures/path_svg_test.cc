@@ -1,4 +1,4 @@
-#include "runtime/formats/path_svg.h"
+#include "runtime/pictures/path_svg.h"
 
 #include <catch2/catch.hpp>
 

@@ -1,11 +1,11 @@
-#include "runtime/formats/body_svg.h"
+#include "runtime/pictures/body_svg.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "runtime/formats/body_shapes.h"
-#include "runtime/formats/svg_style.h"
+#include "runtime/pictures/body_shapes.h"
+#include "runtime/pictures/svg_style.h"
 
 namespace plsc {
 
