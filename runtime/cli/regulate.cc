@@ -6,8 +6,8 @@
 
 #include "runtime/cli/commands.h"
 #include "runtime/cli/program.h"
-#include "runtime/formats/regulation_json.h"
-#include "runtime/formats/regulation_text.h"
+#include "runtime/history/regulation_json.h"
+#include "runtime/history/regulation_text.h"
 
 namespace plsc::cli {
 

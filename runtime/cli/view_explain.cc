@@ -11,7 +11,7 @@
 #include "runtime/cli/output_path.h"
 #include "runtime/cli/robot_source.h"
 #include "runtime/cli/view_lives.h"
-#include "runtime/formats/explain_json.h"
+#include "runtime/history/explain_json.h"
 #include "runtime/pages/page.h"
 
 namespace plsc::cli {

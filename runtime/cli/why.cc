@@ -11,9 +11,9 @@
 #include "runtime/cli/program.h"
 #include "runtime/cli/robot_source.h"
 #include "runtime/develop/environment_json.h"
-#include "runtime/formats/history_text.h"
-#include "runtime/formats/provenance_json.h"
-#include "runtime/formats/provenance_text.h"
+#include "runtime/history/history_text.h"
+#include "runtime/history/provenance_json.h"
+#include "runtime/history/provenance_text.h"
 #include "runtime/text/json_dump.h"
 
 namespace plsc::cli {

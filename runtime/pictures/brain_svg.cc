@@ -8,7 +8,7 @@
 #include <set>
 
 #include "runtime/compare/brain_difference.h"
-#include "runtime/formats/history_view.h"
+#include "runtime/history/history_view.h"
 #include "runtime/pictures/brain_layout.h"
 #include "runtime/pictures/svg_panels.h"
 #include "runtime/pictures/svg_style.h"

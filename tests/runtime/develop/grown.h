@@ -6,7 +6,7 @@
 #include <string>
 
 #include "compiler/compile.h"
-#include "runtime/formats/history_view.h"
+#include "runtime/history/history_view.h"
 
 namespace plsc::test {
 

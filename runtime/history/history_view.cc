@@ -1,4 +1,4 @@
-#include "runtime/formats/history_view.h"
+#include "runtime/history/history_view.h"
 
 #include <fmt/format.h>
 

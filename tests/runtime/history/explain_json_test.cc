@@ -1,4 +1,4 @@
-#include "runtime/formats/explain_json.h"
+#include "runtime/history/explain_json.h"
 
 #include <nlohmann/json.hpp>
 

@@ -1,4 +1,4 @@
-#include "runtime/formats/provenance_json.h"
+#include "runtime/history/provenance_json.h"
 
 #include "tests/runtime/develop/grown.h"
 

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "runtime/develop/provenance.h"
-#include "runtime/formats/history_view.h"
+#include "runtime/history/history_view.h"
 
 namespace plsc {
 

@@ -6,7 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "runtime/formats/history_view.h"
+#include "runtime/history/history_view.h"
 
 namespace plsc {
 

@@ -1,11 +1,11 @@
-#include "runtime/formats/provenance_text.h"
+#include "runtime/history/provenance_text.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "runtime/formats/event_text.h"
-#include "runtime/formats/history_text.h"
+#include "runtime/history/event_text.h"
+#include "runtime/history/history_text.h"
 
 namespace plsc {
 

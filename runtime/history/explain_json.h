@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "runtime/formats/history_view.h"
+#include "runtime/history/history_view.h"
 
 namespace plsc {
 

@@ -1,4 +1,4 @@
-#include "runtime/formats/history_text.h"
+#include "runtime/history/history_text.h"
 
 #include "tests/runtime/develop/grown.h"
 

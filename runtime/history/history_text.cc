@@ -1,4 +1,4 @@
-#include "runtime/formats/history_text.h"
+#include "runtime/history/history_text.h"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include "compiler/print.h"
 #include "compiler/truth.h"
 #include "grammar/diagnostic.h"
-#include "runtime/formats/event_text.h"
+#include "runtime/history/event_text.h"
 
 namespace plsc {
 

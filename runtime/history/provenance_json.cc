@@ -1,7 +1,7 @@
-#include "runtime/formats/provenance_json.h"
+#include "runtime/history/provenance_json.h"
 
-#include "runtime/formats/history_json.h"
-#include "runtime/formats/provenance_text.h"
+#include "runtime/history/history_json.h"
+#include "runtime/history/provenance_text.h"
 
 namespace plsc {
 

@@ -1,4 +1,4 @@
-#include "runtime/formats/history_json.h"
+#include "runtime/history/history_json.h"
 
 #include "tests/runtime/develop/grown.h"
 

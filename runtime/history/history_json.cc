@@ -1,11 +1,11 @@
-#include "runtime/formats/history_json.h"
+#include "runtime/history/history_json.h"
 
 #include <algorithm>
 #include <utility>
 
 #include "compiler/print.h"
 #include "compiler/truth.h"
-#include "runtime/formats/event_text.h"
+#include "runtime/history/event_text.h"
 
 namespace plsc {
 

@@ -1,4 +1,4 @@
-#include "runtime/formats/provenance_text.h"
+#include "runtime/history/provenance_text.h"
 
 #include "tests/runtime/develop/grown.h"
 

@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "runtime/formats/history_view.h"
+#include "runtime/history/history_view.h"
 
 namespace plsc {
 

@@ -1,4 +1,4 @@
-#include "runtime/formats/regulation_text.h"
+#include "runtime/history/regulation_text.h"
 
 #include <fmt/format.h>
 

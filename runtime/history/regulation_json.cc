@@ -1,4 +1,4 @@
-#include "runtime/formats/regulation_json.h"
+#include "runtime/history/regulation_json.h"
 
 #include <nlohmann/json.hpp>
 #include <utility>

@@ -1,4 +1,4 @@
-#include "runtime/formats/event_text.h"
+#include "runtime/history/event_text.h"
 
 #include <fmt/format.h>
 

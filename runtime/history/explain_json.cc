@@ -1,4 +1,4 @@
-#include "runtime/formats/explain_json.h"
+#include "runtime/history/explain_json.h"
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -8,7 +8,7 @@
 #include "compiler/truth.h"
 #include "runtime/compare/body_difference.h"
 #include "runtime/develop/provenance.h"
-#include "runtime/formats/history_json.h"
+#include "runtime/history/history_json.h"
 #include "runtime/pictures/svg_style.h"
 #include "runtime/text/json_dump.h"
 
