@@ -3,8 +3,8 @@
 #include <ostream>
 
 #include "grammar/shown_line.h"
+#include "runtime/cli/arguments/command.h"
 #include "runtime/cli/check_file.h"
-#include "runtime/cli/commands.h"
 #include "runtime/cli/diagnostic_json.h"
 #include "runtime/cli/github_annotation.h"
 #include "runtime/cli/sarif.h"

@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "runtime/cli/commands.h"
+#include "runtime/cli/arguments/command.h"
 #include "runtime/cli/io.h"
 #include "runtime/cli/load_yaml.h"
 

@@ -1,7 +1,7 @@
 #include <ostream>
 
-#include "runtime/cli/commands.h"
-#include "runtime/cli/completion_script.h"
+#include "runtime/cli/arguments/command.h"
+#include "runtime/cli/arguments/completion_script.h"
 
 namespace plsc::cli {
 

@@ -5,7 +5,7 @@
 
 #include "compiler/verify.h"
 #include "grammar/shown_line.h"
-#include "runtime/cli/commands.h"
+#include "runtime/cli/arguments/command.h"
 #include "runtime/cli/load_yaml.h"
 #include "runtime/cli/offspring.h"
 #include "runtime/cli/output_path.h"

@@ -7,7 +7,7 @@
 
 #include "compiler/print.h"
 #include "grammar/shown_line.h"
-#include "runtime/cli/commands.h"
+#include "runtime/cli/arguments/command.h"
 #include "runtime/cli/output_path.h"
 #include "runtime/cli/program.h"
 #include "runtime/develop/derive.h"

@@ -4,7 +4,7 @@
 #include <ostream>
 
 #include "compiler/print.h"
-#include "runtime/cli/commands.h"
+#include "runtime/cli/arguments/command.h"
 #include "runtime/cli/load_yaml.h"
 #include "runtime/cli/open_run.h"
 #include "runtime/cli/progress.h"

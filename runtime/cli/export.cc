@@ -10,7 +10,7 @@
 #include <system_error>
 #include <utility>
 
-#include "runtime/cli/commands.h"
+#include "runtime/cli/arguments/command.h"
 #include "runtime/cli/export_robot.h"
 #include "runtime/cli/open_run.h"
 #include "runtime/cli/output_path.h"

@@ -7,7 +7,7 @@
 #include <ostream>
 #include <vector>
 
-#include "runtime/cli/commands.h"
+#include "runtime/cli/arguments/command.h"
 #include "runtime/cli/diagnostic_json.h"
 
 namespace plsc::cli {

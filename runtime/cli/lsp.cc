@@ -6,7 +6,7 @@
 #include <streambuf>
 #include <string>
 
-#include "runtime/cli/commands.h"
+#include "runtime/cli/arguments/command.h"
 #include "runtime/cli/version.h"
 #include "runtime/lsp/framing.h"
 

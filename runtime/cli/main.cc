@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <iostream>
 
-#include "runtime/cli/commands.h"
+#include "runtime/cli/arguments/command.h"
 
 int main(int argc, char** argv) {
   std::ios::sync_with_stdio(false);

@@ -5,8 +5,8 @@
 #include <ostream>
 
 #include "grammar/suggest.h"
-#include "runtime/cli/commands.h"
-#include "runtime/cli/man_page.h"
+#include "runtime/cli/arguments/command.h"
+#include "runtime/cli/arguments/man_page.h"
 #include "runtime/cli/output_path.h"
 #include "runtime/cli/version.h"
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "compiler/program.h"
-#include "runtime/cli/commands.h"
+#include "runtime/cli/arguments/command.h"
 #include "runtime/cli/io.h"
 #include "runtime/cli/output_path.h"
 

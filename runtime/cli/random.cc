@@ -7,7 +7,7 @@
 
 #include "compiler/compile.h"
 #include "compiler/print.h"
-#include "runtime/cli/commands.h"
+#include "runtime/cli/arguments/command.h"
 #include "runtime/cli/load_yaml.h"
 #include "runtime/cli/offspring.h"
 #include "runtime/cli/output_path.h"

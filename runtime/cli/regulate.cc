@@ -4,7 +4,7 @@
 
 #include <ostream>
 
-#include "runtime/cli/commands.h"
+#include "runtime/cli/arguments/command.h"
 #include "runtime/cli/program.h"
 #include "runtime/history/regulation_json.h"
 #include "runtime/history/regulation_text.h"

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "grammar/shown_line.h"
-#include "runtime/cli/commands.h"
+#include "runtime/cli/arguments/command.h"
 #include "runtime/cli/open_run.h"
 #include "runtime/cli/replay_compare.h"
 #include "runtime/evolve/generation_evaluator.h"

@@ -8,7 +8,7 @@
 #include <map>
 #include <ostream>
 
-#include "runtime/cli/commands.h"
+#include "runtime/cli/arguments/command.h"
 #include "runtime/cli/open_run.h"
 #include "runtime/cli/output_path.h"
 #include "runtime/cli/version.h"

@@ -1,7 +1,7 @@
 #include <ostream>
 #include <variant>
 
-#include "runtime/cli/commands.h"
+#include "runtime/cli/arguments/command.h"
 
 namespace plsc::cli {
 

@@ -5,7 +5,7 @@
 
 #include "compiler/print.h"
 #include "grammar/shown_line.h"
-#include "runtime/cli/commands.h"
+#include "runtime/cli/arguments/command.h"
 #include "runtime/cli/open_run.h"
 #include "runtime/cli/robot_text.h"
 #include "runtime/life/season_json.h"

@@ -7,7 +7,7 @@
 #include <variant>
 
 #include "grammar/shown_line.h"
-#include "runtime/cli/commands.h"
+#include "runtime/cli/arguments/command.h"
 #include "runtime/cli/interrupt.h"
 #include "runtime/cli/load_yaml.h"
 #include "runtime/cli/output_path.h"

@@ -4,7 +4,7 @@
 #include <ostream>
 
 #include "grammar/shown_line.h"
-#include "runtime/cli/commands.h"
+#include "runtime/cli/arguments/command.h"
 #include "runtime/cli/interrupt.h"
 #include "runtime/cli/load_yaml.h"
 #include "runtime/cli/run_experiment.h"

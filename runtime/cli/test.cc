@@ -5,7 +5,7 @@
 #include <ostream>
 #include <thread>
 
-#include "runtime/cli/commands.h"
+#include "runtime/cli/arguments/command.h"
 #include "runtime/cli/output_path.h"
 #include "runtime/cli/test_file.h"
 #include "runtime/cli/test_files.h"

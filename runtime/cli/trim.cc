@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 
-#include "runtime/cli/commands.h"
+#include "runtime/cli/arguments/command.h"
 #include "runtime/cli/load_yaml.h"
 #include "runtime/cli/output_path.h"
 #include "runtime/cli/program.h"

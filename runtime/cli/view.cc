@@ -3,7 +3,7 @@
 #include <ostream>
 
 #include "grammar/shown_line.h"
-#include "runtime/cli/commands.h"
+#include "runtime/cli/arguments/command.h"
 #include "runtime/cli/interrupt.h"
 #include "runtime/cli/output_path.h"
 #include "runtime/cli/view_explain.h"

@@ -1,7 +1,7 @@
 #include <catch2/catch.hpp>
 #include <filesystem>
 
-#include "runtime/cli/command_description.h"
+#include "runtime/cli/arguments/command_description.h"
 #include "tests/runtime/cli/run_plsc.h"
 
 namespace plsc {

@@ -14,7 +14,7 @@
 #include <set>
 #include <thread>
 
-#include "runtime/cli/command_description.h"
+#include "runtime/cli/arguments/command_description.h"
 #include "runtime/cli/png.h"
 #include "runtime/pages/page.h"
 #include "tests/runtime/cli/run_plsc.h"

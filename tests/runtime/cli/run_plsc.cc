@@ -8,7 +8,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "runtime/cli/commands.h"
+#include "runtime/cli/arguments/command.h"
 
 namespace plsc::test {
 

@@ -5,8 +5,8 @@
 #include <catch2/catch.hpp>
 #include <variant>
 
-#include "runtime/cli/command_description.h"
-#include "runtime/cli/commands.h"
+#include "runtime/cli/arguments/command.h"
+#include "runtime/cli/arguments/command_description.h"
 #include "tests/runtime/cli/run_plsc.h"
 #include "tests/runtime/cli/tiny_run.h"
 

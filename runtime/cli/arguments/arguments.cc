@@ -12,8 +12,8 @@
 #include <sstream>
 
 #include "grammar/suggest.h"
-#include "runtime/cli/arguments_commands.h"
-#include "runtime/cli/commands.h"
+#include "runtime/cli/arguments/add_commands.h"
+#include "runtime/cli/arguments/command.h"
 #include "runtime/cli/program.h"
 #include "runtime/cli/version.h"
 

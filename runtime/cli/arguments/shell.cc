@@ -2,7 +2,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "runtime/cli/arguments_commands.h"
+#include "runtime/cli/arguments/add_commands.h"
 
 namespace plsc::cli {
 

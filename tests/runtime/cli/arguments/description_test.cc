@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 
-#include "runtime/cli/command_description.h"
+#include "runtime/cli/arguments/command_description.h"
 
 namespace plsc {
 namespace {

@@ -3,8 +3,8 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
-#include "runtime/cli/arguments_commands.h"
-#include "runtime/cli/command_description.h"
+#include "runtime/cli/arguments/add_commands.h"
+#include "runtime/cli/arguments/command_description.h"
 
 namespace plsc::cli {
 

@@ -1,4 +1,4 @@
-#include "runtime/cli/completion_script.h"
+#include "runtime/cli/arguments/completion_script.h"
 
 #include <catch2/catch.hpp>
 #include <set>

@@ -1,4 +1,4 @@
-#include "runtime/cli/man_page.h"
+#include "runtime/cli/arguments/man_page.h"
 
 #include <fmt/format.h>
 

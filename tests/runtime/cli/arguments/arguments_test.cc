@@ -1,8 +1,8 @@
 #include <catch2/catch.hpp>
 #include <map>
 
-#include "runtime/cli/command_description.h"
-#include "runtime/cli/commands.h"
+#include "runtime/cli/arguments/command.h"
+#include "runtime/cli/arguments/command_description.h"
 #include "tests/runtime/cli/run_plsc.h"
 
 namespace plsc {

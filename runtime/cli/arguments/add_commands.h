@@ -6,8 +6,8 @@
 
 #include <string>
 
-#include "runtime/cli/command_description.h"
-#include "runtime/cli/commands.h"
+#include "runtime/cli/arguments/command.h"
+#include "runtime/cli/arguments/command_description.h"
 
 namespace CLI {
 class App;

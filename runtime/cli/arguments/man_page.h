@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "runtime/cli/command_description.h"
+#include "runtime/cli/arguments/command_description.h"
 
 namespace plsc::cli {
 
