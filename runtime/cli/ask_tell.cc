@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
-#include "runtime/cli/diagnostic_json.h"
+#include "runtime/cli/diagnostics/diagnostic_json.h"
 #include "runtime/life/season_json.h"
 #include "runtime/text/json_place.h"
 #include "runtime/text/json_reader.h"

@@ -5,9 +5,9 @@
 #include "grammar/shown_line.h"
 #include "runtime/cli/arguments/command.h"
 #include "runtime/cli/check_file.h"
-#include "runtime/cli/diagnostic_json.h"
-#include "runtime/cli/github_annotation.h"
-#include "runtime/cli/sarif.h"
+#include "runtime/cli/diagnostics/diagnostic_json.h"
+#include "runtime/cli/diagnostics/github_annotation.h"
+#include "runtime/cli/diagnostics/sarif.h"
 
 namespace plsc::cli {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "runtime/cli/arguments/command.h"
-#include "runtime/cli/diagnostic_json.h"
+#include "runtime/cli/diagnostics/diagnostic_json.h"
 
 namespace plsc::cli {
 

@@ -1,4 +1,4 @@
-#include "runtime/cli/github_annotation.h"
+#include "runtime/cli/diagnostics/github_annotation.h"
 
 #include <catch2/catch.hpp>
 

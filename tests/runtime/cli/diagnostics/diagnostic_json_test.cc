@@ -1,4 +1,4 @@
-#include "runtime/cli/diagnostic_json.h"
+#include "runtime/cli/diagnostics/diagnostic_json.h"
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>

@@ -1,4 +1,4 @@
-#include "runtime/cli/sarif.h"
+#include "runtime/cli/diagnostics/sarif.h"
 
 #include <fmt/format.h>
 

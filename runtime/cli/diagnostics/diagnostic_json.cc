@@ -1,4 +1,4 @@
-#include "runtime/cli/diagnostic_json.h"
+#include "runtime/cli/diagnostics/diagnostic_json.h"
 
 #include <nlohmann/json.hpp>
 
