@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "grammar/codes.h"
-#include "runtime/cli/explanations.h"
+#include "runtime/cli/explanations/explanations.h"
 #include "runtime/cli/version.h"
 #include "runtime/text/json_dump.h"
 

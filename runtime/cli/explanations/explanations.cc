@@ -1,4 +1,4 @@
-#include "runtime/cli/explanations.h"
+#include "runtime/cli/explanations/explanations.h"
 
 #include <algorithm>
 

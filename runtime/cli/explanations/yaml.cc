@@ -1,6 +1,6 @@
 // Explanations of the codes P51: scenarios and experiments, which are YAML.
 
-#include "runtime/cli/explanations.h"
+#include "runtime/cli/explanations/explanations.h"
 
 namespace plsc::cli {
 

@@ -1,6 +1,6 @@
 // Explanations of the codes P11: the text does not follow the grammar.
 
-#include "runtime/cli/explanations.h"
+#include "runtime/cli/explanations/explanations.h"
 
 namespace plsc::cli {
 

@@ -1,6 +1,6 @@
 // Explanations of the codes P50: the file as a whole.
 
-#include "runtime/cli/explanations.h"
+#include "runtime/cli/explanations/explanations.h"
 
 namespace plsc::cli {
 

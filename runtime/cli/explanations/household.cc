@@ -1,6 +1,6 @@
 // Explanations of the codes that housekeeping gives: P4003, P5200, W5200.
 
-#include "runtime/cli/explanations.h"
+#include "runtime/cli/explanations/explanations.h"
 
 namespace plsc::cli {
 

@@ -1,6 +1,6 @@
 // Explanations of the codes P20: names, numbers and types of what is declared.
 
-#include "runtime/cli/explanations.h"
+#include "runtime/cli/explanations/explanations.h"
 
 namespace plsc::cli {
 

@@ -1,6 +1,6 @@
 // Explanations of the codes P3, P4 and W: regulation and development.
 
-#include "runtime/cli/explanations.h"
+#include "runtime/cli/explanations/explanations.h"
 
 namespace plsc::cli {
 
