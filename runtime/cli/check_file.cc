@@ -8,7 +8,7 @@
 #include "compiler/compile.h"
 #include "grammar/shown_line.h"
 #include "runtime/advice/lint.h"
-#include "runtime/cli/file_kind.h"
+#include "runtime/cli/files/file_kind.h"
 #include "runtime/compare/golden_json.h"
 #include "runtime/recording/recording_json.h"
 

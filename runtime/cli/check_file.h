@@ -6,8 +6,8 @@
 #include <string>
 
 #include "runtime/cli/arguments/command.h"
-#include "runtime/cli/io.h"
-#include "runtime/cli/load_yaml.h"
+#include "runtime/cli/files/io.h"
+#include "runtime/cli/files/load_yaml.h"
 
 namespace plsc::cli {
 

@@ -9,7 +9,7 @@
 #include "compiler/environment_text.h"
 #include "grammar/shown_line.h"
 #include "runtime/cli/arguments/command.h"
-#include "runtime/cli/program.h"
+#include "runtime/cli/files/load_program.h"
 #include "runtime/compare/difference_json.h"
 #include "runtime/compare/difference_text.h"
 #include "runtime/text/unified_diff.h"

@@ -5,8 +5,8 @@
 
 #include "compiler/print.h"
 #include "runtime/cli/arguments/command.h"
-#include "runtime/cli/load_yaml.h"
-#include "runtime/cli/open_run.h"
+#include "runtime/cli/files/load_yaml.h"
+#include "runtime/cli/files/open_run.h"
 #include "runtime/cli/progress.h"
 #include "runtime/cli/robot_text.h"
 #include "runtime/cli/run_experiment.h"

@@ -12,9 +12,9 @@
 
 #include "runtime/cli/arguments/command.h"
 #include "runtime/cli/export_robot.h"
-#include "runtime/cli/open_run.h"
-#include "runtime/cli/output_path.h"
-#include "runtime/cli/pipe_errors.h"
+#include "runtime/cli/files/open_run.h"
+#include "runtime/cli/files/output_path.h"
+#include "runtime/cli/files/pipe_errors.h"
 
 namespace plsc::cli {
 

@@ -10,9 +10,9 @@
 #include <utility>
 
 #include "grammar/shown_line.h"
-#include "runtime/cli/open_run.h"
-#include "runtime/cli/output_path.h"
-#include "runtime/cli/program.h"
+#include "runtime/cli/files/load_program.h"
+#include "runtime/cli/files/open_run.h"
+#include "runtime/cli/files/output_path.h"
 #include "runtime/cli/robot_setting.h"
 #include "runtime/cli/robot_source.h"
 #include "runtime/develop/develop.h"

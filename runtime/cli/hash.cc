@@ -4,7 +4,7 @@
 
 #include "grammar/shown_line.h"
 #include "runtime/cli/arguments/command.h"
-#include "runtime/cli/program.h"
+#include "runtime/cli/files/load_program.h"
 #include "runtime/develop/developed.h"
 #include "runtime/develop/genotype_key.h"
 

@@ -11,7 +11,7 @@
 #include "grammar/shown_line.h"
 #include "runtime/authors/genotype.h"
 #include "runtime/cli/arguments/command.h"
-#include "runtime/cli/output_path.h"
+#include "runtime/cli/files/output_path.h"
 
 namespace plsc::cli {
 

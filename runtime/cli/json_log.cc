@@ -10,8 +10,8 @@
 #include <nlohmann/json.hpp>
 #include <system_error>
 
-#include "runtime/cli/io.h"
-#include "runtime/cli/pipe_errors.h"
+#include "runtime/cli/files/io.h"
+#include "runtime/cli/files/pipe_errors.h"
 #include "runtime/cli/progress.h"
 #include "runtime/text/json_dump.h"
 

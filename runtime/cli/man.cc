@@ -7,7 +7,7 @@
 #include "grammar/suggest.h"
 #include "runtime/cli/arguments/command.h"
 #include "runtime/cli/arguments/man_page.h"
-#include "runtime/cli/output_path.h"
+#include "runtime/cli/files/output_path.h"
 #include "runtime/cli/version.h"
 
 namespace plsc::cli {

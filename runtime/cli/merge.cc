@@ -10,7 +10,7 @@
 #include "compiler/compile.h"
 #include "grammar/shown_line.h"
 #include "runtime/cli/arguments/command.h"
-#include "runtime/cli/output_path.h"
+#include "runtime/cli/files/output_path.h"
 
 namespace plsc::cli {
 

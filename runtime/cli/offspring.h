@@ -9,8 +9,8 @@
 
 #include "compiler/program.h"
 #include "runtime/cli/arguments/command.h"
-#include "runtime/cli/io.h"
-#include "runtime/cli/output_path.h"
+#include "runtime/cli/files/io.h"
+#include "runtime/cli/files/output_path.h"
 
 namespace plsc::cli {
 

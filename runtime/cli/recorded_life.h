@@ -5,7 +5,7 @@
 #include <iosfwd>
 #include <string>
 
-#include "runtime/cli/io.h"
+#include "runtime/cli/files/io.h"
 #include "runtime/cli/simulation_watch.h"
 #include "runtime/life/evaluation.h"
 #include "runtime/recording/recording.h"

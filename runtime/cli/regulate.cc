@@ -5,7 +5,7 @@
 #include <ostream>
 
 #include "runtime/cli/arguments/command.h"
-#include "runtime/cli/program.h"
+#include "runtime/cli/files/load_program.h"
 #include "runtime/history/regulation_json.h"
 #include "runtime/history/regulation_text.h"
 

@@ -9,8 +9,8 @@
 #include <ostream>
 
 #include "runtime/cli/arguments/command.h"
-#include "runtime/cli/open_run.h"
-#include "runtime/cli/output_path.h"
+#include "runtime/cli/files/open_run.h"
+#include "runtime/cli/files/output_path.h"
 #include "runtime/cli/version.h"
 #include "runtime/pages/page.h"
 #include "runtime/report/report_json.h"

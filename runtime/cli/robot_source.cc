@@ -8,8 +8,8 @@
 
 #include "compiler/print.h"
 #include "grammar/shown_line.h"
-#include "runtime/cli/load_yaml.h"
-#include "runtime/cli/open_run.h"
+#include "runtime/cli/files/load_yaml.h"
+#include "runtime/cli/files/open_run.h"
 #include "runtime/cli/recorded_life.h"
 #include "runtime/life/season_environments.h"
 #include "runtime/life/season_teller.h"

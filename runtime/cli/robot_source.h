@@ -9,8 +9,8 @@
 #include <variant>
 #include <vector>
 
-#include "runtime/cli/io.h"
-#include "runtime/cli/program.h"
+#include "runtime/cli/files/io.h"
+#include "runtime/cli/files/load_program.h"
 #include "runtime/evolve/individual.h"
 #include "runtime/scenario/scenario.h"
 

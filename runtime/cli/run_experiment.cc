@@ -12,9 +12,9 @@
 #include <utility>
 
 #include "grammar/shown_line.h"
+#include "runtime/cli/files/open_run.h"
 #include "runtime/cli/interrupt.h"
 #include "runtime/cli/json_log.h"
-#include "runtime/cli/open_run.h"
 #include "runtime/cli/progress.h"
 #include "runtime/evolve/worker_request.h"
 #include "runtime/store/lock.h"

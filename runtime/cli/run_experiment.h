@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "runtime/cli/io.h"
+#include "runtime/cli/files/io.h"
 #include "runtime/evolve/evolve.h"
 #include "runtime/workers/mpi_session.h"
 

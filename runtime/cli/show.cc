@@ -6,7 +6,7 @@
 #include "compiler/print.h"
 #include "grammar/shown_line.h"
 #include "runtime/cli/arguments/command.h"
-#include "runtime/cli/open_run.h"
+#include "runtime/cli/files/open_run.h"
 #include "runtime/cli/robot_text.h"
 #include "runtime/life/season_json.h"
 #include "runtime/store/heritage_json.h"

@@ -8,10 +8,10 @@
 
 #include "grammar/shown_line.h"
 #include "runtime/cli/arguments/command.h"
+#include "runtime/cli/files/load_program.h"
+#include "runtime/cli/files/load_yaml.h"
+#include "runtime/cli/files/output_path.h"
 #include "runtime/cli/interrupt.h"
-#include "runtime/cli/load_yaml.h"
-#include "runtime/cli/output_path.h"
-#include "runtime/cli/program.h"
 #include "runtime/cli/recorded_life.h"
 #include "runtime/cli/robot_source.h"
 #include "runtime/life/evaluation.h"

@@ -4,7 +4,7 @@
 
 #include "runtime/advice/stats_text.h"
 #include "runtime/cli/arguments/command.h"
-#include "runtime/cli/program.h"
+#include "runtime/cli/files/load_program.h"
 #include "runtime/develop/regimes.h"
 
 namespace plsc::cli {

@@ -5,8 +5,8 @@
 
 #include "grammar/shown_line.h"
 #include "runtime/cli/arguments/command.h"
+#include "runtime/cli/files/load_yaml.h"
 #include "runtime/cli/interrupt.h"
-#include "runtime/cli/load_yaml.h"
 #include "runtime/cli/run_experiment.h"
 #include "runtime/store/shared_cache.h"
 #include "runtime/study/run_study.h"

@@ -6,7 +6,7 @@
 #include <thread>
 
 #include "runtime/cli/arguments/command.h"
-#include "runtime/cli/output_path.h"
+#include "runtime/cli/files/output_path.h"
 #include "runtime/cli/test_file.h"
 #include "runtime/cli/test_files.h"
 #include "runtime/cli/test_junit.h"

@@ -11,7 +11,7 @@
 #include "compiler/environment_text.h"
 #include "grammar/shown_line.h"
 #include "runtime/advice/expectations.h"
-#include "runtime/cli/io.h"
+#include "runtime/cli/files/io.h"
 #include "runtime/compare/golden_json.h"
 #include "runtime/develop/derive.h"
 

@@ -8,9 +8,9 @@
 #include <ostream>
 
 #include "runtime/cli/arguments/command.h"
-#include "runtime/cli/load_yaml.h"
-#include "runtime/cli/output_path.h"
-#include "runtime/cli/program.h"
+#include "runtime/cli/files/load_program.h"
+#include "runtime/cli/files/load_yaml.h"
+#include "runtime/cli/files/output_path.h"
 #include "runtime/cli/recorded_life.h"
 #include "runtime/life/season_environments.h"
 #include "runtime/text/json_dump.h"

@@ -7,8 +7,8 @@
 #include <variant>
 
 #include "grammar/shown_line.h"
-#include "runtime/cli/open_run.h"
-#include "runtime/cli/output_path.h"
+#include "runtime/cli/files/open_run.h"
+#include "runtime/cli/files/output_path.h"
 #include "runtime/cli/robot_source.h"
 #include "runtime/cli/view_lives.h"
 #include "runtime/history/explain_json.h"

@@ -4,7 +4,7 @@
 // The replays of `plsc view` are in view.cc.
 
 #include "runtime/cli/arguments/command.h"
-#include "runtime/cli/output_path.h"
+#include "runtime/cli/files/output_path.h"
 
 namespace plsc::cli {
 

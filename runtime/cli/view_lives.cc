@@ -12,10 +12,10 @@
 #include <variant>
 
 #include "grammar/shown_line.h"
+#include "runtime/cli/files/load_program.h"
+#include "runtime/cli/files/load_yaml.h"
+#include "runtime/cli/files/open_run.h"
 #include "runtime/cli/interrupt.h"
-#include "runtime/cli/load_yaml.h"
-#include "runtime/cli/open_run.h"
-#include "runtime/cli/program.h"
 #include "runtime/cli/recorded_life.h"
 #include "runtime/recording/recording_json.h"
 

@@ -8,7 +8,7 @@
 #include "compiler/print.h"
 #include "grammar/shown_line.h"
 #include "runtime/cli/arguments/command.h"
-#include "runtime/cli/program.h"
+#include "runtime/cli/files/load_program.h"
 #include "runtime/cli/robot_source.h"
 #include "runtime/develop/environment_json.h"
 #include "runtime/history/history_text.h"

@@ -14,7 +14,7 @@
 #include "grammar/suggest.h"
 #include "runtime/cli/arguments/add_commands.h"
 #include "runtime/cli/arguments/command.h"
-#include "runtime/cli/program.h"
+#include "runtime/cli/files/load_program.h"
 #include "runtime/cli/version.h"
 
 namespace plsc::cli {

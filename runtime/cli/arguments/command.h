@@ -10,7 +10,7 @@
 #include <variant>
 #include <vector>
 
-#include "runtime/cli/io.h"
+#include "runtime/cli/files/io.h"
 #include "runtime/exports/export_format.h"
 
 namespace plsc::cli {

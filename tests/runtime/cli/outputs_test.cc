@@ -15,7 +15,7 @@
 #include <thread>
 
 #include "runtime/cli/arguments/command_description.h"
-#include "runtime/cli/png.h"
+#include "runtime/cli/files/png.h"
 #include "runtime/pages/page.h"
 #include "tests/runtime/cli/run_plsc.h"
 #include "tests/runtime/cli/tiny_run.h"

@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 #include <sstream>
 
-#include "runtime/cli/program.h"
+#include "runtime/cli/files/load_program.h"
 #include "runtime/scenario/scenario_profile.h"
 #include "tests/runtime/cli/run_plsc.h"
 

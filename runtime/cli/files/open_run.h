@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "runtime/cli/io.h"
+#include "runtime/cli/files/io.h"
 #include "runtime/store/run_store.h"
 
 namespace plsc::cli {

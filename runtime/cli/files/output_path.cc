@@ -1,4 +1,4 @@
-#include "runtime/cli/output_path.h"
+#include "runtime/cli/files/output_path.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -13,8 +13,8 @@
 #include <ostream>
 
 #include "grammar/shown_line.h"
-#include "runtime/cli/open_run.h"
-#include "runtime/cli/program.h"
+#include "runtime/cli/files/load_program.h"
+#include "runtime/cli/files/open_run.h"
 
 namespace plsc::cli {
 

@@ -1,4 +1,4 @@
-#include "runtime/cli/file_kind.h"
+#include "runtime/cli/files/file_kind.h"
 
 #include <catch2/catch.hpp>
 #include <string>

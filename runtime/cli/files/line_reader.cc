@@ -1,4 +1,4 @@
-#include "runtime/cli/line_reader.h"
+#include "runtime/cli/files/line_reader.h"
 
 #include <poll.h>
 #include <unistd.h>

@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include "runtime/cli/io.h"
-#include "runtime/cli/output_mark.h"
+#include "runtime/cli/files/io.h"
+#include "runtime/cli/files/output_mark.h"
 
 namespace plsc::cli {
 

@@ -1,4 +1,4 @@
-#include "runtime/cli/output_mark.h"
+#include "runtime/cli/files/output_mark.h"
 
 #include <array>
 #include <cassert>

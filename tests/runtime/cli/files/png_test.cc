@@ -1,4 +1,4 @@
-#include "runtime/cli/png.h"
+#include "runtime/cli/files/png.h"
 
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "runtime/cli/program.h"
+#include "runtime/cli/files/load_program.h"
 
 #include <catch2/catch.hpp>
 #include <cctype>

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "compiler/compile.h"
-#include "runtime/cli/io.h"
+#include "runtime/cli/files/io.h"
 
 namespace plsc::cli {
 

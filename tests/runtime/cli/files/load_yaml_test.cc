@@ -1,4 +1,4 @@
-#include "runtime/cli/load_yaml.h"
+#include "runtime/cli/files/load_yaml.h"
 
 #include <catch2/catch.hpp>
 #include <sstream>

@@ -1,4 +1,4 @@
-#include "runtime/cli/open_run.h"
+#include "runtime/cli/files/open_run.h"
 
 #include <fmt/format.h>
 

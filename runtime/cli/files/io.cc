@@ -1,4 +1,4 @@
-#include "runtime/cli/io.h"
+#include "runtime/cli/files/io.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -13,7 +13,7 @@
 #include <iterator>
 #include <ostream>
 
-#include "runtime/cli/pipe_errors.h"
+#include "runtime/cli/files/pipe_errors.h"
 
 namespace plsc::cli {
 

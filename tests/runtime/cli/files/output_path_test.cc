@@ -1,4 +1,4 @@
-#include "runtime/cli/output_path.h"
+#include "runtime/cli/files/output_path.h"
 
 #include <catch2/catch.hpp>
 #include <filesystem>

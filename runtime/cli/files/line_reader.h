@@ -8,7 +8,7 @@
 #include <optional>
 #include <string>
 
-#include "runtime/cli/io.h"
+#include "runtime/cli/files/io.h"
 
 namespace plsc::cli {
 

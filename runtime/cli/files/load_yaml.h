@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "runtime/cli/diagnostics/sarif.h"
-#include "runtime/cli/io.h"
+#include "runtime/cli/files/io.h"
 #include "runtime/evolve/experiment.h"
 #include "runtime/scenario/scenario.h"
 #include "runtime/study/study.h"

@@ -1,4 +1,4 @@
-#include "runtime/cli/io.h"
+#include "runtime/cli/files/io.h"
 
 #include <signal.h>
 #include <sys/resource.h>
