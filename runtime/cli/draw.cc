@@ -11,7 +11,7 @@
 #include "runtime/cli/files/open_run.h"
 #include "runtime/cli/files/output_path.h"
 #include "runtime/cli/files/png.h"
-#include "runtime/cli/robot_source.h"
+#include "runtime/cli/robots/robot_source.h"
 #include "runtime/compare/brain_difference.h"
 #include "runtime/develop/trace.h"
 #include "runtime/pictures/bodies_svg.h"

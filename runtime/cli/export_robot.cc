@@ -13,8 +13,8 @@
 #include "runtime/cli/files/load_program.h"
 #include "runtime/cli/files/open_run.h"
 #include "runtime/cli/files/output_path.h"
-#include "runtime/cli/robot_setting.h"
-#include "runtime/cli/robot_source.h"
+#include "runtime/cli/robots/robot_setting.h"
+#include "runtime/cli/robots/robot_source.h"
 #include "runtime/develop/develop.h"
 #include "sim/overlap.h"
 

@@ -11,7 +11,7 @@
 #include "runtime/cli/files/load_program.h"
 #include "runtime/cli/files/load_yaml.h"
 #include "runtime/cli/files/output_path.h"
-#include "runtime/cli/recorded_life.h"
+#include "runtime/cli/robots/recorded_life.h"
 #include "runtime/life/season_environments.h"
 #include "runtime/text/json_dump.h"
 

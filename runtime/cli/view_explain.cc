@@ -9,7 +9,7 @@
 #include "grammar/shown_line.h"
 #include "runtime/cli/files/open_run.h"
 #include "runtime/cli/files/output_path.h"
-#include "runtime/cli/robot_source.h"
+#include "runtime/cli/robots/robot_source.h"
 #include "runtime/cli/view_lives.h"
 #include "runtime/history/explain_json.h"
 #include "runtime/pages/page.h"

@@ -9,7 +9,7 @@
 #include "grammar/shown_line.h"
 #include "runtime/cli/arguments/command.h"
 #include "runtime/cli/files/load_program.h"
-#include "runtime/cli/robot_source.h"
+#include "runtime/cli/robots/robot_source.h"
 #include "runtime/develop/environment_json.h"
 #include "runtime/history/history_text.h"
 #include "runtime/history/provenance_json.h"

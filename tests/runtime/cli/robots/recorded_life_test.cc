@@ -1,4 +1,4 @@
-#include "runtime/cli/recorded_life.h"
+#include "runtime/cli/robots/recorded_life.h"
 
 #include <catch2/catch.hpp>
 #include <sstream>

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "runtime/cli/robot_source.h"
+#include "runtime/cli/robots/robot_source.h"
 #include "sim/options.h"
 #include "sim/terrain.h"
 

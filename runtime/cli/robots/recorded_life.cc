@@ -1,4 +1,4 @@
-#include "runtime/cli/recorded_life.h"
+#include "runtime/cli/robots/recorded_life.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "runtime/cli/robot_setting.h"
+#include "runtime/cli/robots/robot_setting.h"
 
 #include <catch2/catch.hpp>
 #include <sstream>

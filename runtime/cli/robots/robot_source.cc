@@ -1,4 +1,4 @@
-#include "runtime/cli/robot_source.h"
+#include "runtime/cli/robots/robot_source.h"
 
 #include <fmt/format.h>
 
@@ -10,7 +10,7 @@
 #include "grammar/shown_line.h"
 #include "runtime/cli/files/load_yaml.h"
 #include "runtime/cli/files/open_run.h"
-#include "runtime/cli/recorded_life.h"
+#include "runtime/cli/robots/recorded_life.h"
 #include "runtime/life/season_environments.h"
 #include "runtime/life/season_teller.h"
 

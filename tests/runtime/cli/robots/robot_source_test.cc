@@ -1,4 +1,4 @@
-#include "runtime/cli/robot_source.h"
+#include "runtime/cli/robots/robot_source.h"
 
 #include <catch2/catch.hpp>
 #include <sstream>

@@ -1,4 +1,4 @@
-#include "runtime/cli/robot_setting.h"
+#include "runtime/cli/robots/robot_setting.h"
 
 #include <fmt/format.h>
 
