@@ -12,7 +12,7 @@
 #include "runtime/cli/ask_tell.h"
 #include "runtime/cli/files/line_reader.h"
 #include "runtime/cli/files/load_yaml.h"
-#include "runtime/cli/interrupt.h"
+#include "runtime/cli/running/interrupt.h"
 #include "runtime/evolve/worker_request.h"
 #include "runtime/workers/worker_count.h"
 #include "runtime/workers/worker_pool.h"

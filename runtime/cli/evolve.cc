@@ -7,9 +7,9 @@
 #include "runtime/cli/arguments/command.h"
 #include "runtime/cli/files/load_yaml.h"
 #include "runtime/cli/files/open_run.h"
-#include "runtime/cli/progress.h"
 #include "runtime/cli/robot_text.h"
-#include "runtime/cli/run_experiment.h"
+#include "runtime/cli/running/progress.h"
+#include "runtime/cli/running/run_experiment.h"
 #include "runtime/evolve/worker_request.h"
 #include "runtime/text/json_dump.h"
 

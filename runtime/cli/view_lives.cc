@@ -15,8 +15,8 @@
 #include "runtime/cli/files/load_program.h"
 #include "runtime/cli/files/load_yaml.h"
 #include "runtime/cli/files/open_run.h"
-#include "runtime/cli/interrupt.h"
 #include "runtime/cli/robots/recorded_life.h"
+#include "runtime/cli/running/interrupt.h"
 #include "runtime/recording/recording_json.h"
 
 namespace plsc::cli {

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "runtime/cli/files/io.h"
-#include "runtime/cli/simulation_watch.h"
+#include "runtime/cli/running/simulation_watch.h"
 #include "runtime/life/evaluation.h"
 #include "runtime/recording/recording.h"
 

@@ -1,4 +1,4 @@
-#include "runtime/cli/run_experiment.h"
+#include "runtime/cli/running/run_experiment.h"
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
@@ -13,9 +13,9 @@
 
 #include "grammar/shown_line.h"
 #include "runtime/cli/files/open_run.h"
-#include "runtime/cli/interrupt.h"
-#include "runtime/cli/json_log.h"
-#include "runtime/cli/progress.h"
+#include "runtime/cli/running/interrupt.h"
+#include "runtime/cli/running/json_log.h"
+#include "runtime/cli/running/progress.h"
 #include "runtime/evolve/worker_request.h"
 #include "runtime/store/lock.h"
 #include "runtime/store/run_store.h"

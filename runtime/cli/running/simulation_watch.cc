@@ -1,12 +1,12 @@
-#include "runtime/cli/simulation_watch.h"
+#include "runtime/cli/running/simulation_watch.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <ostream>
 
-#include "runtime/cli/interrupt.h"
-#include "runtime/cli/progress.h"
+#include "runtime/cli/running/interrupt.h"
+#include "runtime/cli/running/progress.h"
 
 namespace plsc::cli {
 

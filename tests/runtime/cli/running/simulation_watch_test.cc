@@ -1,9 +1,9 @@
-#include "runtime/cli/simulation_watch.h"
+#include "runtime/cli/running/simulation_watch.h"
 
 #include <catch2/catch.hpp>
 #include <sstream>
 
-#include "runtime/cli/interrupt.h"
+#include "runtime/cli/running/interrupt.h"
 #include "sim/simulate.h"
 #include "tests/runtime/recording/recorded.h"
 

@@ -1,4 +1,4 @@
-#include "runtime/cli/run_experiment.h"
+#include "runtime/cli/running/run_experiment.h"
 
 #include <sys/wait.h>
 #include <unistd.h>

@@ -1,4 +1,4 @@
-#include "runtime/cli/pace.h"
+#include "runtime/cli/running/pace.h"
 
 #include <algorithm>
 

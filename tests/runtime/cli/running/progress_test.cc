@@ -1,4 +1,4 @@
-#include "runtime/cli/progress.h"
+#include "runtime/cli/running/progress.h"
 
 #include <algorithm>
 #include <catch2/catch.hpp>

@@ -1,4 +1,4 @@
-#include "runtime/cli/json_log.h"
+#include "runtime/cli/running/json_log.h"
 
 #include <unistd.h>
 

@@ -1,4 +1,4 @@
-#include "runtime/cli/progress.h"
+#include "runtime/cli/running/progress.h"
 
 #include <fmt/format.h>
 #include <sys/ioctl.h>

@@ -1,4 +1,4 @@
-#include "runtime/cli/json_log.h"
+#include "runtime/cli/running/json_log.h"
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
@@ -12,7 +12,7 @@
 
 #include "runtime/cli/files/io.h"
 #include "runtime/cli/files/pipe_errors.h"
-#include "runtime/cli/progress.h"
+#include "runtime/cli/running/progress.h"
 #include "runtime/text/json_dump.h"
 
 namespace plsc::cli {

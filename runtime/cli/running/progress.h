@@ -9,7 +9,7 @@
 #include <iosfwd>
 #include <string>
 
-#include "runtime/cli/pace.h"
+#include "runtime/cli/running/pace.h"
 #include "runtime/evolve/evolve.h"
 
 namespace plsc::cli {

@@ -11,7 +11,7 @@
 #include <ostream>
 #include <string>
 
-#include "runtime/cli/pace.h"
+#include "runtime/cli/running/pace.h"
 #include "runtime/evolve/evolve.h"
 
 namespace plsc::cli {

@@ -1,4 +1,4 @@
-#include "runtime/cli/interrupt.h"
+#include "runtime/cli/running/interrupt.h"
 
 #include <catch2/catch.hpp>
 
