@@ -7,10 +7,10 @@
 
 #include "runtime/cli/arguments/command.h"
 #include "runtime/cli/files/output_path.h"
-#include "runtime/cli/test_file.h"
-#include "runtime/cli/test_files.h"
-#include "runtime/cli/test_junit.h"
-#include "runtime/cli/test_report.h"
+#include "runtime/cli/testing/file.h"
+#include "runtime/cli/testing/files.h"
+#include "runtime/cli/testing/junit.h"
+#include "runtime/cli/testing/report.h"
 #include "runtime/workers/worker_count.h"
 
 namespace plsc::cli {

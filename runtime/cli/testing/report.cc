@@ -1,4 +1,4 @@
-#include "runtime/cli/test_report.h"
+#include "runtime/cli/testing/report.h"
 
 #include <fmt/format.h>
 

@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "runtime/cli/test_case.h"
+#include "runtime/cli/testing/case.h"
 
 namespace plsc::cli {
 

@@ -1,4 +1,4 @@
-#include "runtime/cli/test_report.h"
+#include "runtime/cli/testing/report.h"
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>

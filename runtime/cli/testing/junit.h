@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "runtime/cli/test_report.h"
+#include "runtime/cli/testing/report.h"
 
 namespace plsc::cli {
 

@@ -1,4 +1,4 @@
-#include "runtime/cli/test_junit.h"
+#include "runtime/cli/testing/junit.h"
 
 #include <fmt/format.h>
 

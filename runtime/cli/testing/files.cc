@@ -1,4 +1,4 @@
-#include "runtime/cli/test_files.h"
+#include "runtime/cli/testing/files.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "runtime/cli/test_file.h"
+#include "runtime/cli/testing/file.h"
 
 #include <fmt/format.h>
 

@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-#include "runtime/cli/test_case.h"
+#include "runtime/cli/testing/case.h"
 
 namespace plsc::cli {
 

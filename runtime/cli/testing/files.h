@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "runtime/cli/test_case.h"
+#include "runtime/cli/testing/case.h"
 
 namespace plsc::cli {
 
