@@ -1,7 +1,7 @@
 #pragma once
 
 // The language server as a value: a message in, messages out. Knows no stream,
-// no file and no clock; runtime/cli/lsp.cc carries the bytes.
+// no file and no clock; runtime/cli/commands/lsp.cc carries the bytes.
 //
 // Diagnostics come from Idle, not from Handle: who types faster than we compile
 // sends several changes, and only the last of them is worth a look.

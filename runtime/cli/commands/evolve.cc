@@ -5,9 +5,9 @@
 
 #include "compiler/print.h"
 #include "runtime/cli/arguments/command.h"
+#include "runtime/cli/commands/robot_text.h"
 #include "runtime/cli/files/load_yaml.h"
 #include "runtime/cli/files/open_run.h"
-#include "runtime/cli/robot_text.h"
 #include "runtime/cli/running/progress.h"
 #include "runtime/cli/running/run_experiment.h"
 #include "runtime/evolve/worker_request.h"

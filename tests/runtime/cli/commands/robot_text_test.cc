@@ -1,4 +1,4 @@
-#include "runtime/cli/robot_text.h"
+#include "runtime/cli/commands/robot_text.h"
 
 #include <catch2/catch.hpp>
 

@@ -1,4 +1,4 @@
-#include "runtime/cli/ask_tell.h"
+#include "runtime/cli/commands/ask_tell.h"
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>

@@ -6,10 +6,10 @@
 #include "compiler/verify.h"
 #include "grammar/shown_line.h"
 #include "runtime/cli/arguments/command.h"
+#include "runtime/cli/commands/offspring.h"
 #include "runtime/cli/files/load_program.h"
 #include "runtime/cli/files/load_yaml.h"
 #include "runtime/cli/files/output_path.h"
-#include "runtime/cli/offspring.h"
 #include "runtime/vary/crossover.h"
 
 namespace plsc::cli {

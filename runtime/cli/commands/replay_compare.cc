@@ -1,4 +1,4 @@
-#include "runtime/cli/replay_compare.h"
+#include "runtime/cli/commands/replay_compare.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "runtime/cli/export_robot.h"
+#include "runtime/cli/commands/export_robot.h"
 
 #include <catch2/catch.hpp>
 #include <filesystem>

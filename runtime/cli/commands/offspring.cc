@@ -1,4 +1,4 @@
-#include "runtime/cli/offspring.h"
+#include "runtime/cli/commands/offspring.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "runtime/cli/view_explain.h"
+#include "runtime/cli/commands/view_explain.h"
 
 #include <fmt/format.h>
 
@@ -7,10 +7,10 @@
 #include <variant>
 
 #include "grammar/shown_line.h"
+#include "runtime/cli/commands/view_lives.h"
 #include "runtime/cli/files/open_run.h"
 #include "runtime/cli/files/output_path.h"
 #include "runtime/cli/robots/robot_source.h"
-#include "runtime/cli/view_lives.h"
 #include "runtime/history/explain_json.h"
 #include "runtime/pages/page.h"
 

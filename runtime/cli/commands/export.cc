@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "runtime/cli/arguments/command.h"
-#include "runtime/cli/export_robot.h"
+#include "runtime/cli/commands/export_robot.h"
 #include "runtime/cli/files/open_run.h"
 #include "runtime/cli/files/output_path.h"
 #include "runtime/cli/files/pipe_errors.h"

@@ -8,10 +8,10 @@
 
 #include "compiler/print.h"
 #include "runtime/cli/arguments/command.h"
+#include "runtime/cli/commands/offspring.h"
 #include "runtime/cli/files/load_program.h"
 #include "runtime/cli/files/load_yaml.h"
 #include "runtime/cli/files/output_path.h"
-#include "runtime/cli/offspring.h"
 
 namespace plsc::cli {
 

@@ -1,4 +1,4 @@
-#include "runtime/cli/export_robot.h"
+#include "runtime/cli/commands/export_robot.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,4 +1,4 @@
-#include "runtime/cli/view_lives.h"
+#include "runtime/cli/commands/view_lives.h"
 
 #include <fmt/format.h>
 

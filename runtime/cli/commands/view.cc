@@ -4,10 +4,10 @@
 
 #include "grammar/shown_line.h"
 #include "runtime/cli/arguments/command.h"
+#include "runtime/cli/commands/view_explain.h"
+#include "runtime/cli/commands/view_lives.h"
 #include "runtime/cli/files/output_path.h"
 #include "runtime/cli/running/interrupt.h"
-#include "runtime/cli/view_explain.h"
-#include "runtime/cli/view_lives.h"
 #include "runtime/pages/page.h"
 #include "runtime/recording/view_json.h"
 

@@ -1,4 +1,4 @@
-#include "runtime/cli/check_file.h"
+#include "runtime/cli/commands/check_file.h"
 
 #include <fmt/format.h>
 

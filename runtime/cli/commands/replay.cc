@@ -8,8 +8,8 @@
 
 #include "grammar/shown_line.h"
 #include "runtime/cli/arguments/command.h"
+#include "runtime/cli/commands/replay_compare.h"
 #include "runtime/cli/files/open_run.h"
-#include "runtime/cli/replay_compare.h"
 #include "runtime/evolve/generation_evaluator.h"
 #include "runtime/evolve/worker_request.h"
 #include "runtime/store/verify.h"

@@ -1,4 +1,4 @@
-#include "runtime/cli/check_file.h"
+#include "runtime/cli/commands/check_file.h"
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>

@@ -1,4 +1,4 @@
-#include "runtime/cli/view_explain.h"
+#include "runtime/cli/commands/view_explain.h"
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>

@@ -4,7 +4,7 @@
 
 #include "grammar/shown_line.h"
 #include "runtime/cli/arguments/command.h"
-#include "runtime/cli/check_file.h"
+#include "runtime/cli/commands/check_file.h"
 #include "runtime/cli/diagnostics/diagnostic_json.h"
 #include "runtime/cli/diagnostics/github_annotation.h"
 #include "runtime/cli/diagnostics/sarif.h"
