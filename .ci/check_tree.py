@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """Checks of the source tree that no compiler makes: includes follow the
-architecture's arrows, each library stays behind its door, every source has a
-test of its name (or a reason in tests/exempt.txt)."""
+architecture's arrows, which go one way; each library stays behind its door;
+every source has a test of its name (or a reason in tests/exempt.txt), every
+test is built, every folder says what it is for."""
 
 import pathlib
 import re
@@ -9,33 +10,57 @@ import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 
-# Folder -> folders that it may include from (docs/architecture.md).
+# The rooms, the lowest first: folder -> the folders above it in this list that
+# it may include from (docs/architecture.md). A room may include itself.
 ARROWS = {
-    "grammar": {"grammar"},
-    "compiler": {"compiler", "grammar"},
-    "sim": {"sim"},
-    "runtime": {"runtime", "compiler", "grammar", "sim"},
-    "runtime/evolve": {"runtime/evolve", "runtime", "compiler", "grammar", "sim"},
-    "runtime/store": {"runtime/store", "runtime/evolve", "runtime", "compiler", "grammar", "sim"},
-    "runtime/study": {"runtime/study", "runtime/store", "runtime/evolve", "runtime", "compiler", "grammar", "sim"},
-    "runtime/report": {"runtime/report", "runtime/study", "runtime/store", "runtime/evolve", "runtime", "compiler", "grammar", "sim"},
-    "runtime/exports": {"runtime/exports", "runtime", "compiler", "grammar", "sim"},
-    "runtime/lsp": {"runtime/lsp", "runtime", "compiler", "grammar"},
-    "runtime/pages": {"runtime/pages", "runtime"},
-    "runtime/cli": {"runtime/cli", "runtime/exports", "runtime/lsp", "runtime/report", "runtime/pages", "runtime/study", "runtime/store", "runtime/evolve", "runtime", "compiler", "grammar", "sim"},
+    "grammar": "",
+    "compiler": "grammar",
+    "compiler/changes": "compiler grammar",
+    "sim": "",
+    "runtime/text": "compiler/changes grammar",
+    "runtime/workers": "",
+    "runtime/authors": "compiler grammar",
+    "runtime/develop": "runtime/text compiler grammar sim",
+    "runtime/scenario": "runtime/text compiler grammar sim",
+    "runtime/life": "runtime/develop runtime/scenario runtime/text compiler grammar sim",
+    "runtime/compare": "runtime/develop runtime/text compiler compiler/changes grammar sim",
+    "runtime/recording": "runtime/life runtime/scenario runtime/text grammar sim",
+    "runtime/advice": "runtime/compare runtime/develop runtime/text compiler grammar sim",
+    "runtime/vary": "compiler grammar",
+    "runtime/evolve": "runtime/vary runtime/life runtime/scenario runtime/develop runtime/workers runtime/text compiler grammar sim",
+    "runtime/pictures": "runtime/recording runtime/compare runtime/develop runtime/text compiler grammar sim",
+    "runtime/exports": "runtime/recording runtime/life runtime/scenario runtime/text sim",
+    "runtime/store": "runtime/evolve runtime/vary runtime/life runtime/scenario runtime/develop runtime/text compiler grammar sim",
+    "runtime/history": "runtime/pictures runtime/compare runtime/develop runtime/text compiler grammar sim",
+    "runtime/study": "runtime/store runtime/evolve runtime/text grammar",
+    "runtime/report": "runtime/study runtime/store runtime/evolve runtime/pictures runtime/life runtime/scenario runtime/develop runtime/text compiler grammar sim",
+    "runtime/lsp": "runtime/advice runtime/text compiler grammar",
+    "runtime/pages": "runtime/text",
+    "runtime/cli/explanations": "",
+    "runtime/cli/diagnostics": "runtime/cli/explanations *",
+    "runtime/cli/files": "runtime/cli/diagnostics *",
+    "runtime/cli/arguments": "runtime/cli/files *",
+    "runtime/cli/running": "runtime/cli/files *",
+    "runtime/cli/robots": "runtime/cli/running runtime/cli/files *",
+    "runtime/cli/testing": "runtime/cli/files *",
+    "runtime/cli/commands": "runtime/cli/explanations runtime/cli/diagnostics runtime/cli/files runtime/cli/arguments runtime/cli/running runtime/cli/robots runtime/cli/testing *",
+    "runtime/cli": "runtime/cli/arguments runtime/cli/files *",
 }
 # Library -> where its headers may be included.
 DOORS = {
     r"tao/pegtl": r"grammar/",
     r"ode/": r"sim/",
-    r"yaml-cpp/": r"runtime/yaml_[a-z_]*\.(h|cc)",
-    r"CLI/": r"runtime/cli/arguments[a-z_]*\.cc",
-    r"Random123/": r"runtime/evolve/rng\.cc",
+    r"yaml-cpp/": r"runtime/text/yaml_[a-z_]*\.(h|cc)",
+    r"CLI/": r"runtime/cli/arguments/[a-z_]*\.cc",
+    r"Random123/": r"runtime/vary/rng\.cc",
     r"sqlite3\.h": r"runtime/store/database\.cc",
-    r"xxhash\.h": r"runtime/key\.cc",
+    r"xxhash\.h": r"runtime/text/key\.cc",
     r"Rmath\.h": r"runtime/report/wilcoxon\.cc",
-    r"mpi\.h": r"runtime/evolve/mpi_[a-z_]*\.cc",
+    r"mpi\.h": r"runtime/workers/mpi_[a-z_]*\.cc",
 }
+# What is private to another concept: its source's second header.
+PRIVATE = {"sim/world_ode": "sim/world"}
+MOST_CONCEPTS = 40  # of a folder: what one can look over
 INCLUDE = re.compile(r'^#include [<"]([^>"]+)[>"]', re.MULTILINE)
 SOURCES = [p for f in ("grammar", "compiler", "sim", "runtime")
            for p in sorted((ROOT / f).rglob("*")) if p.suffix in (".h", ".cc")]
@@ -50,17 +75,108 @@ def folder_of(path):
     return best
 
 
+def allowed(folder):
+    """Where a folder's files may include from; `*` is all that is no command."""
+    names = ARROWS[folder].split()
+    if "*" in names:
+        names += [f for f in ARROWS if not f.startswith("runtime/cli")]
+    return {folder, *names} - {"*"}
+
+
+def check_arrows(problems):
+    """The list itself: nothing points upward, so nothing goes in a circle."""
+    above = set()
+    for folder in ARROWS:
+        for name in sorted(allowed(folder) - {folder}):
+            if name not in ARROWS:
+                problems.append(f"ARROWS: {folder} names {name}, which is no room")
+            elif name not in above:
+                problems.append(f"ARROWS: {folder} points up to {name}")
+        above.add(folder)
+
+
 def check_includes(problems):
     for source in SOURCES:
         name = source.relative_to(ROOT).as_posix()
         folder = folder_of(name)
+        if folder is None or source.parent.relative_to(ROOT).as_posix() != folder:
+            if not name.startswith("runtime/package/"):
+                problems.append(f"{name}: stands in no room of ARROWS")
+            continue
         for include in INCLUDE.findall(source.read_text()):
             target = folder_of(include)
-            if target is not None and target not in ARROWS[folder]:
+            if target is not None and target not in allowed(folder):
                 problems.append(f"{name}: {folder}/ must not include {include}")
             for library, door in DOORS.items():
                 if re.match(library, include) and not re.match(door, name):
                     problems.append(f"{name}: <{include}> belongs behind {door}")
+
+
+def concept_of(path):
+    """x.h and x.cc are one concept, and so is what is private to it."""
+    stem = path.rpartition(".")[0]
+    return PRIVATE.get(stem, stem)
+
+
+def check_concepts(problems):
+    """Within the rooms: no two concepts include each other, directly or through
+    others, and no room has too many."""
+    uses = {}
+    for source in SOURCES:
+        name = source.relative_to(ROOT).as_posix()
+        concept = concept_of(name)
+        uses.setdefault(concept, set()).update(
+            concept_of(i) for i in INCLUDE.findall(source.read_text())
+            if folder_of(i) is not None)
+        uses[concept].discard(concept)
+    state = {}
+
+    def visit(concept, path):
+        if state.get(concept) == "done":
+            return
+        if state.get(concept) == "open":
+            circle = path[path.index(concept):] + [concept]
+            problems.append("includes in a circle: " + " -> ".join(circle))
+            return
+        state[concept] = "open"
+        for used in sorted(uses.get(concept, ())):
+            visit(used, path + [concept])
+        state[concept] = "done"
+
+    for concept in sorted(uses):
+        visit(concept, [])
+    for folder in ARROWS:
+        count = sum(1 for c in uses if c.rpartition("/")[0] == folder)
+        if count > MOST_CONCEPTS and folder != "runtime/cli/commands":
+            problems.append(f"{folder}: {count} concepts, more than {MOST_CONCEPTS}")
+
+
+def check_folders(problems):
+    """Every folder says what is in it, and what is not."""
+    for base in ("grammar", "compiler", "sim", "runtime", "tests"):
+        folders = {p.parent for p in (ROOT / base).rglob("*")
+                   if p.suffix in (".h", ".cc", ".py", ".mjs")}
+        for folder in sorted(folders):
+            name = folder.relative_to(ROOT).as_posix()
+            if name.startswith(("runtime/pages/src/", "runtime/package/forward")):
+                continue
+            if not (folder / "README.md").exists():
+                problems.append(f"{name}/: no README.md")
+
+
+def check_lists(problems):
+    """Every test is built: it stands in exactly one CMake list."""
+    lists = {}
+    for file in sorted((ROOT / "tests").rglob("CMakeLists.txt")):
+        for word in re.findall(r"[\w./]+_test\.cc", file.read_text()):
+            path = (file.parent / word).resolve()
+            lists.setdefault(path, []).append(file.relative_to(ROOT).as_posix())
+    for test in sorted((ROOT / "tests").rglob("*_test.cc")):
+        found = lists.pop(test, [])
+        if len(found) != 1:
+            problems.append(f"{test.relative_to(ROOT)}: stands in {len(found)} CMake lists")
+    for path, files in lists.items():
+        problems.append(f"{files[0]}: {path} does not exist")
 
 
 def check_mirror(problems):
@@ -68,6 +184,8 @@ def check_mirror(problems):
     for line in (ROOT / "tests/exempt.txt").read_text().splitlines():
         if line and not line.startswith("#"):
             path, _, reason = line.partition(": ")
+            if path in exempt:
+                problems.append(f"tests/exempt.txt: {path} stands there twice")
             exempt[path] = reason
             if not reason:
                 problems.append(f"tests/exempt.txt: {path} has no reason")
@@ -88,7 +206,11 @@ def check_mirror(problems):
 
 def main():
     problems = []
+    check_arrows(problems)
     check_includes(problems)
+    check_concepts(problems)
+    check_folders(problems)
+    check_lists(problems)
     check_mirror(problems)
     for problem in problems:
         print(problem, file=sys.stderr)

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-#include "compiler/compile.h"
+#include "compiler/compile_options.h"
 #include "compiler/resolve.h"
 
 namespace plsc {

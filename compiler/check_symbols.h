@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "compiler/compile.h"
+#include "compiler/compile_options.h"
 #include "compiler/resolve.h"
 
 namespace plsc {

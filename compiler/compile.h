@@ -6,17 +6,13 @@
 #include <string>
 #include <vector>
 
+#include "compiler/compile_options.h"
 #include "compiler/program.h"
 #include "compiler/source_map.h"
 #include "grammar/result.h"
 #include "grammar/source.h"
 
 namespace plsc {
-
-struct CompileOptions {
-  /// Arguments outside their declared range become warnings (P2004).
-  bool allow_out_of_range = false;
-};
 
 struct MappedProgram {
   Program program;

@@ -20,6 +20,9 @@ std::string PrintSymbol(const Symbol& symbol, const Alphabet& alphabet);
 /// `C { front B }`: the body of an inline test on one line.
 std::string PrintBody(const std::vector<ExpectedModule>& body,
                       const Alphabet& alphabet);
+/// `alphabet plasticoding 1`, or a file's own with one group of symbols a
+/// line. Ends in a newline.
+std::string PrintAlphabet(const Alphabet& alphabet);
 /// `inclined=True,hot=False`: the form of `--env`.
 std::string PrintEnvironment(const Environment& environment,
                              const std::vector<State>& states);

@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "grammar/syntax_error.h"
+#include "grammar/syntax_context.h"
 
 namespace plsc {
 

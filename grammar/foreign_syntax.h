@@ -4,7 +4,7 @@
 // kind: characters that only look right, and ways of other languages to write
 // things. Adds to a message how to write them here.
 
-#include "grammar/syntax_error.h"
+#include "grammar/syntax_context.h"
 
 namespace plsc {
 

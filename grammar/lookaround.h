@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "grammar/source.h"
-#include "grammar/syntax_error.h"
+#include "grammar/syntax_context.h"
 
 namespace plsc {
 

@@ -100,11 +100,6 @@ EditCosts CostsOfParts(const std::vector<WrittenPart>& from,
           }};
 }
 
-std::string PartText(const PartContent& content) {
-  if (content.values.empty()) return content.name;
-  return fmt::format("{}({})", content.name, fmt::join(content.values, ", "));
-}
-
 std::optional<std::string> MergeValue(const std::string& base,
                                       const std::string& ours,
                                       const std::string& theirs) {

@@ -50,9 +50,6 @@ struct MergedParts {
 
 MergedParts MergeParts(const PartVersions& versions, PartIdentity identity);
 
-/// "A1(0.5, 2, 3, 1)".
-std::string PartText(const PartContent& content);
-
 /// The same three-way choice of one value; nothing when both changed it.
 std::optional<std::string> MergeValue(const std::string& base,
                                       const std::string& ours,

@@ -1,5 +1,7 @@
 #include "compiler/changes/written_items.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <utility>
 
@@ -179,6 +181,11 @@ WrittenItem Version(const ast::File& file) {
 }
 
 }  // namespace
+
+std::string PartText(const PartContent& content) {
+  if (content.values.empty()) return content.name;
+  return fmt::format("{}({})", content.name, fmt::join(content.values, ", "));
+}
 
 WrittenFile CutIntoItems(const ast::File& file) {
   WrittenFile written;

@@ -23,6 +23,9 @@ struct PartContent {
   friend bool operator==(const PartContent&, const PartContent&) = default;
 };
 
+/// "A1(0.5, 2, 3, 1)".
+std::string PartText(const PartContent& content);
+
 /// A symbol, an entry or a term with its connective.
 struct WrittenPart {
   PartContent content;

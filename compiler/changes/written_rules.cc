@@ -2,8 +2,6 @@
 
 #include <utility>
 
-#include "compiler/changes/merge_parts.h"
-
 namespace plsc {
 
 int ContentNumbers::Of(const std::string& text) {

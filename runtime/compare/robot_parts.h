@@ -1,13 +1,14 @@
 #pragma once
 
-// The part of runtime/golden_compare that looks at bodies and brains: finds
-// which module of one robot is which of the other, and from that which node
-// and edge, so that a module mounted early does not make all later ones look
-// changed though their numbers have moved on.
+// The part of runtime/compare/golden_compare that looks at bodies and brains:
+// finds which module of one robot is which of the other, and from that which
+// node and edge, so that a module mounted early does not make all later ones
+// look changed though their numbers have moved on.
 
 #include <vector>
 
-#include "runtime/compare/golden_compare.h"
+#include "runtime/compare/difference.h"
+#include "runtime/compare/golden.h"
 
 namespace plsc {
 

@@ -43,7 +43,8 @@ Json SensedValueJson(const std::string& name, std::string_view value,
   return value;
 }
 
-Json SensesJson(const Senses& senses, const std::vector<State>& states) {
+Json SensesJson(const std::map<std::string, std::string>& senses,
+                const std::vector<State>& states) {
   Json json = Json::object();
   for (const auto& [name, value] : senses)
     json[name] = SensedValueJson(name, value, states);

@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "compiler/genotype.h"
-#include "runtime/life/evaluation.h"
 
 namespace plsc {
 
@@ -26,7 +25,8 @@ nlohmann::ordered_json SensedValueJson(const std::string& name,
                                        const std::vector<State>& states);
 
 /// State -> value, of what is inherited.
-nlohmann::ordered_json SensesJson(const Senses& senses,
-                                  const std::vector<State>& states);
+nlohmann::ordered_json SensesJson(
+    const std::map<std::string, std::string>& senses,
+    const std::vector<State>& states);
 
 }  // namespace plsc

@@ -10,7 +10,7 @@
 
 #include "compiler/genotype.h"
 #include "runtime/evolve/consolidate.h"
-#include "runtime/life/evaluation.h"
+#include "runtime/life/season_result.h"
 #include "runtime/vary/mutate.h"
 
 namespace plsc {

@@ -7,7 +7,7 @@
 
 #include "runtime/evolve/experiment.h"
 #include "runtime/evolve/individual.h"
-#include "runtime/life/evaluation.h"
+#include "runtime/life/season_result.h"
 
 namespace plsc {
 

@@ -4,7 +4,7 @@
 
 #include "runtime/exports/mjcf_ground.h"
 #include "runtime/exports/number_text.h"
-#include "runtime/text/xml_text.h"
+#include "runtime/text/xml.h"
 
 namespace plsc {
 

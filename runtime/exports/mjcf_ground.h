@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "runtime/exports/robot_model.h"
-#include "runtime/text/xml_text.h"
+#include "runtime/text/xml.h"
 
 namespace plsc {
 

@@ -5,7 +5,7 @@
 #include "runtime/exports/exported_ground.h"
 #include "runtime/exports/number_text.h"
 #include "runtime/scenario/scenario_terrain.h"
-#include "runtime/text/xml_text.h"
+#include "runtime/text/xml.h"
 #include "sim/ground.h"
 
 namespace plsc {

@@ -3,7 +3,7 @@
 #include <cstddef>
 
 #include "runtime/exports/number_text.h"
-#include "runtime/text/xml_text.h"
+#include "runtime/text/xml.h"
 
 namespace plsc {
 

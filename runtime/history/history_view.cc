@@ -2,9 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <array>
-
-#include "compiler/print.h"
 #include "grammar/shown_line.h"
 
 namespace plsc {
@@ -14,36 +11,9 @@ Span SpanOf(const HistoryView& view, const Occurrence& occurrence) {
   return view.map.rules[occurrence.rule].symbols[occurrence.position];
 }
 
-std::string SymbolText(const Genotype& genotype, const Occurrence& occurrence) {
-  Symbol symbol{occurrence.symbol, {}};
-  if (occurrence.rule != kNoRule)
-    symbol = genotype.rules[occurrence.rule].production[occurrence.position];
-  return PrintSymbol(symbol, *genotype.alphabet);
-}
-
-const std::string& NameOf(const Genotype& genotype,
-                          const Occurrence& occurrence) {
-  return (*genotype.alphabet)[occurrence.symbol].name;
-}
-
 std::string PlaceText(const Source& source, Span span) {
   const Position at = source.PositionOf(span.begin);
   return fmt::format("{}:{}:{}", Escaped(source.name()), at.line, at.column);
-}
-
-std::string NodeName(int index) {
-  return fmt::format("node{}", index + 1);
-}
-
-std::string EdgeName(const Connection& connection) {
-  return NodeName(connection.source) + "-" + NodeName(connection.destination);
-}
-
-std::string_view SlotName(Slot slot) {
-  // By Slot.
-  constexpr std::array<std::string_view, kSlots> kNames{"back", "front",
-                                                        "right", "left"};
-  return kNames[static_cast<std::size_t>(slot)];
 }
 
 }  // namespace plsc

@@ -30,18 +30,7 @@ struct HistoryView {
 /// (an empty span) when the file leaves it out.
 Span SpanOf(const HistoryView& view, const Occurrence& occurrence);
 
-/// `A2(0.5, 2.0, 3.0, 1.0)`.
-std::string SymbolText(const Genotype& genotype, const Occurrence& occurrence);
-/// The symbol's name alone.
-const std::string& NameOf(const Genotype& genotype,
-                          const Occurrence& occurrence);
-
 /// "file:12:5" of the span's begin.
 std::string PlaceText(const Source& source, Span span);
-
-std::string NodeName(int index);                     ///< "node3"
-std::string EdgeName(const Connection& connection);  ///< "node1-node3"
-/// "front", "left", "right", "back".
-std::string_view SlotName(Slot slot);
 
 }  // namespace plsc

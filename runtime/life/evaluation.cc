@@ -11,50 +11,6 @@
 
 namespace plsc {
 
-namespace {
-
-// What a robot that cannot move, or does not, is worth, m/s: less than the
-// fastest slide down a slope (in m/s, as the authors compute it,
-// although the paper's Speed is in cm/s).
-constexpr double kMotionless = -0.1;
-// Sliding back counts a tenth, so that small losses do not end a lineage.
-constexpr double kBackwardShare = 0.1;
-
-}  // namespace
-
-std::string_view ChangeName(Change change) {
-  switch (change) {
-    case Change::kBorn:
-      return "born";
-    case Change::kNone:
-      return "none";
-    case Change::kBrain:
-      return "brain";
-    case Change::kBody:
-      return "body";
-  }
-  assert(false);
-  return "";
-}
-
-double SeasonFitness(double speed, int hinge_count) {
-  if (hinge_count == 0 || speed == 0) return kMotionless;
-  return speed > 0 ? speed : speed * kBackwardShare;
-}
-
-std::string_view SenseSourceName(SenseSource source) {
-  switch (source) {
-    case SenseSource::kSeason:
-      return "season";
-    case SenseSource::kImu:
-      return "imu";
-    case SenseSource::kParent:
-      return "parent";
-  }
-  assert(false);
-  return "";
-}
-
 SimulationOptions OptionsFor(const Scenario& scenario, const Season& season) {
   SimulationOptions options;
   options.duration = season.duration;

@@ -7,6 +7,7 @@
 
 #include "runtime/develop/phenotype_json.h"
 #include "runtime/life/season_teller.h"
+#include "runtime/scenario/scenario_yaml.h"
 #include "sim/imu.h"
 #include "sim/simulate.h"
 

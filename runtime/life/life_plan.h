@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "runtime/life/evaluation.h"
+#include "runtime/life/season_result.h"
 #include "runtime/life/simulated.h"
 #include "runtime/text/key.h"
 

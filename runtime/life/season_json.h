@@ -5,7 +5,7 @@
 #include <string>
 
 #include "compiler/genotype.h"
-#include "runtime/life/evaluation.h"
+#include "runtime/life/season_result.h"
 
 namespace plsc {
 

@@ -8,7 +8,7 @@
 #include <optional>
 #include <string>
 
-#include "runtime/life/evaluation.h"
+#include "runtime/life/season_result.h"
 
 namespace plsc {
 

@@ -9,7 +9,7 @@ import { fileURLToPath } from "node:url";
 const [modules, output] = process.argv.slice(2);
 const esbuild = createRequire(join(modules, "x.js"))("esbuild");
 const here = dirname(fileURLToPath(import.meta.url));
-const pages = ["report", "view", "explain"]; // as PageKind in page.h
+const pages = ["report", "view", "explain"]; // as PageKind in page_kind.h
 
 // The libraries' licences want to go where their code goes.
 function notices(metafile) {

@@ -5,7 +5,7 @@
 
 #include <string_view>
 
-#include "runtime/pages/page.h"
+#include "runtime/pages/page_kind.h"
 
 namespace plsc {
 

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "runtime/pages/bundles.h"
-#include "runtime/pictures/svg_style.h"
+#include "runtime/text/xml.h"
 
 namespace plsc {
 

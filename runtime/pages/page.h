@@ -4,13 +4,12 @@
 // server. A page is its data, as JSON, and a program that shows them
 // (src/report, src/view, src/explain), bundled when plsc is built.
 
-#include <cstdint>
 #include <string>
 #include <string_view>
 
-namespace plsc {
+#include "runtime/pages/page_kind.h"
 
-enum class PageKind : std::uint8_t { kReport, kView, kExplain };
+namespace plsc {
 
 /// Whether this program was built with npm. Without, pages are empty.
 bool HasPages();

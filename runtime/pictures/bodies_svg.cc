@@ -11,6 +11,7 @@
 #include "runtime/pictures/body_shapes.h"
 #include "runtime/pictures/svg_panels.h"
 #include "runtime/pictures/svg_style.h"
+#include "runtime/text/xml.h"
 
 namespace plsc {
 

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "runtime/pictures/svg_style.h"
+#include "runtime/text/xml.h"
 
 namespace plsc {
 

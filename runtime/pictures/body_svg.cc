@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "runtime/pictures/body_shapes.h"
-#include "runtime/pictures/svg_style.h"
+#include "runtime/text/xml.h"
 
 namespace plsc {
 

@@ -8,10 +8,11 @@
 #include <set>
 
 #include "runtime/compare/brain_difference.h"
-#include "runtime/history/history_view.h"
+#include "runtime/develop/part_names.h"
 #include "runtime/pictures/brain_layout.h"
 #include "runtime/pictures/svg_panels.h"
 #include "runtime/pictures/svg_style.h"
+#include "runtime/text/xml.h"
 
 namespace plsc {
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "runtime/compare/brain_difference.h"
-#include "runtime/history/history_view.h"
+#include "runtime/develop/part_names.h"
 
 namespace plsc {
 

@@ -12,6 +12,8 @@
 #include "runtime/pictures/map_view.h"
 #include "runtime/pictures/svg_style.h"
 #include "runtime/pictures/top_view.h"
+#include "runtime/text/utf8.h"
+#include "runtime/text/xml.h"
 
 namespace plsc {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "runtime/pictures/svg_style.h"
+#include "runtime/text/utf8.h"
 
 namespace plsc {
 

@@ -6,7 +6,8 @@
 #include <cmath>
 #include <iterator>
 
-#include "runtime/pictures/svg_style.h"
+#include "runtime/text/utf8.h"
+#include "runtime/text/xml.h"
 
 namespace plsc {
 

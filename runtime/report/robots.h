@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "runtime/life/evaluation.h"
+#include "runtime/life/season_result.h"
 #include "runtime/store/run_store.h"
 
 namespace plsc {

@@ -5,13 +5,10 @@
 #include <algorithm>
 
 #include "compiler/environment_text.h"
-#include "runtime/scenario/scenario_yaml.h"
 
 namespace plsc {
 
 namespace {
-
-constexpr int kFormat = 1;  // of scenario files, the value of plsc_scenario
 
 Diagnostic SenseError(const Season& season, const State& state,
                       const std::string& found, std::string help) {
@@ -25,22 +22,6 @@ Diagnostic SenseError(const Season& season, const State& state,
 }
 
 }  // namespace
-
-Result<Scenario> ParseScenario(const Source& yaml) {
-  const YamlFile file(yaml);
-  Scenario scenario;
-  if (std::optional<YamlMap> root = file.Root("a scenario")) {
-    root->Int("plsc_scenario", kFormat, kFormat, kFormat);
-    scenario = ReadScenario(*root);
-  }
-  if (!file.diagnostics().empty()) return file.diagnostics();
-  return scenario;
-}
-
-std::string PrintScenario(const Scenario& scenario) {
-  return fmt::format("plsc_scenario: {}\n{}", kFormat,
-                     PrintScenarioKeys(scenario, 0));
-}
 
 Result<Environment> Sense(const Season& season,
                           const std::vector<State>& states,

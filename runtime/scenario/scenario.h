@@ -84,13 +84,6 @@ struct Scenario {
 /// "paper", "published".
 std::string_view ProfileName(Profile profile);
 
-/// Unknown keys, wrong types and wrong units are errors with their place.
-Result<Scenario> ParseScenario(const Source& yaml);
-
-/// The whole scenario as YAML, every constant written out; ParseScenario
-/// returns an equal one.
-std::string PrintScenario(const Scenario& scenario);
-
 /// What a robot with these states senses in the season: what the season gives,
 /// else what the robot felt ("inclined" to "True"). An error names each state
 /// that has no value, or one of the wrong type.

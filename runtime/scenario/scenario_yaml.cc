@@ -16,6 +16,8 @@ namespace plsc {
 
 namespace {
 
+constexpr int kFormat = 1;  // of scenario files, the value of plsc_scenario
+
 // Each is a simulation of every robot, and a column of reports.
 constexpr std::size_t kMaxSeasons = 1000;
 
@@ -364,6 +366,22 @@ std::string PrintScenarioKeys(const Scenario& scenario, int indent) {
   text += fmt::format("{}servo:\n", blanks);
   text += PrintServo(scenario.servo, deeper);
   return text;
+}
+
+Result<Scenario> ParseScenario(const Source& yaml) {
+  const YamlFile file(yaml);
+  Scenario scenario;
+  if (std::optional<YamlMap> root = file.Root("a scenario")) {
+    root->Int("plsc_scenario", kFormat, kFormat, kFormat);
+    scenario = ReadScenario(*root);
+  }
+  if (!file.diagnostics().empty()) return file.diagnostics();
+  return scenario;
+}
+
+std::string PrintScenario(const Scenario& scenario) {
+  return fmt::format("plsc_scenario: {}\n{}", kFormat,
+                     PrintScenarioKeys(scenario, 0));
 }
 
 }  // namespace plsc

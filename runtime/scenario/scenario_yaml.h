@@ -1,7 +1,7 @@
 #pragma once
 
-// A scenario's part of a YAML file, for runtime/scenario and for experiments
-// that have their scenario inline.
+// Scenarios as YAML: files of their own, and the part of a file that
+// experiments have inline.
 
 #include <string>
 
@@ -9,6 +9,13 @@
 #include "runtime/text/yaml_reader.h"
 
 namespace plsc {
+
+/// Unknown keys, wrong types and wrong units are errors with their place.
+Result<Scenario> ParseScenario(const Source& yaml);
+
+/// The whole scenario as YAML, every constant written out; ParseScenario
+/// returns an equal one.
+std::string PrintScenario(const Scenario& scenario);
 
 /// Reads and closes the map; what is wrong is reported in its file, and
 /// replaced by a default.

@@ -5,6 +5,7 @@
 #include <cassert>
 #include <charconv>
 
+#include "runtime/scenario/scenario_yaml.h"
 #include "runtime/text/yaml_reader.h"
 
 namespace plsc {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "runtime/scenario/scenario.h"
+#include "runtime/scenario/scenario_yaml.h"
 
 namespace plsc {
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "runtime/scenario/scenario_yaml.h"
 #include "runtime/store/checksum.h"
 #include "runtime/store/constants.h"
 #include "runtime/store/database.h"

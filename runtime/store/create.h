@@ -7,7 +7,7 @@
 
 #include "runtime/evolve/experiment.h"
 #include "runtime/store/lock.h"
-#include "runtime/store/run_store.h"
+#include "runtime/store/versions.h"
 
 namespace plsc {
 

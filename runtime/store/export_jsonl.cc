@@ -4,6 +4,7 @@
 
 #include "compiler/print.h"
 #include "runtime/life/season_json.h"
+#include "runtime/scenario/scenario_yaml.h"
 #include "runtime/store/export.h"
 #include "runtime/store/heritage_json.h"
 #include "runtime/store/verify.h"

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "runtime/life/evaluation.h"
+#include "runtime/life/season_result.h"
 #include "runtime/text/key.h"
 #include "runtime/vary/mutate.h"
 

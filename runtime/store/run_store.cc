@@ -23,7 +23,6 @@
 #include "runtime/store/schema.h"
 #include "runtime/store/schema_check.h"
 #include "runtime/store/verify.h"
-#include "sim/machine_kind.h"
 
 namespace plsc {
 
@@ -49,25 +48,6 @@ Failure CheckAbsent(const std::string& path) {
   if (access(folder.empty() ? "." : folder.c_str(), W_OK | X_OK) != 0)
     return fmt::format("cannot create '{}': {}", path, ReasonOf(errno));
   return CheckNoCompanions(path);
-}
-
-/// Results are a function of these too.
-Failure CheckVersions(const std::string& path, const Versions& versions) {
-  const Versions own = ThisProgram();
-  const auto differs = [&](const char* what, const std::string& then,
-                           const std::string& now) -> Failure {
-    if (then == now) return std::nullopt;
-    return fmt::format(
-        "'{}' was begun with {} {}, and this is {}: to go on would not give "
-        "the results of a run that was never interrupted (where that does not "
-        "matter: --allow-other-version)",
-        path, what, then, now);
-  };
-  if (auto failure = differs("plsc", versions.plsc, own.plsc)) return failure;
-  if (auto failure = differs("ODE", versions.ode, own.ode)) return failure;
-  if (auto failure = differs("compiler", versions.compiler, own.compiler))
-    return failure;
-  return differs("machine", versions.machine, own.machine);
 }
 
 std::map<std::string, int> SeasonIds(const Experiment& experiment) {
@@ -442,11 +422,6 @@ std::optional<Simulated> RunStore::Find(const Key& key) {
 
 Failure RunStore::Add(const Key&, const Simulated&) {
   return std::nullopt;
-}
-
-Versions ThisProgram() {
-  static const std::string machine = MachineKind();  // takes a millisecond
-  return {PLSC_VERSION, PLSC_ODE_VERSION, __VERSION__, machine};
 }
 
 }  // namespace plsc

@@ -20,18 +20,9 @@
 #include "runtime/evolve/simulation_cache.h"
 #include "runtime/store/loaded.h"
 #include "runtime/store/session.h"
+#include "runtime/store/versions.h"
 
 namespace plsc {
-
-/// What made the results, besides the experiment.
-struct Versions {
-  std::string plsc;
-  std::string ode;
-  std::string compiler;
-  std::string machine;  ///< its kind (sim/machine_kind.h)
-
-  friend bool operator==(const Versions&, const Versions&) = default;
-};
 
 /// How far a run is.
 struct RunStatus {
@@ -126,8 +117,5 @@ class RunStore : public RunObserver, public SimulationCache {
   struct Parts;
   std::unique_ptr<Parts> parts_;
 };
-
-/// Of this program.
-Versions ThisProgram();
 
 }  // namespace plsc

@@ -3,6 +3,7 @@
 
 #include "fuzz/require.h"
 #include "runtime/scenario/scenario.h"
+#include "runtime/scenario/scenario_yaml.h"
 
 namespace {
 

@@ -15,7 +15,7 @@
 #include "runtime/cli/arguments/add_commands.h"
 #include "runtime/cli/arguments/command.h"
 #include "runtime/cli/files/load_program.h"
-#include "runtime/cli/version.h"
+#include "runtime/text/version.h"
 
 namespace plsc::cli {
 

@@ -8,7 +8,7 @@
 
 #include "grammar/diagnostic.h"
 #include "grammar/result.h"
-#include "runtime/life/evaluation.h"
+#include "runtime/life/season_result.h"
 
 namespace plsc::cli {
 

@@ -7,8 +7,8 @@
 #include <string>
 
 #include "runtime/cli/arguments/command.h"
-#include "runtime/cli/version.h"
 #include "runtime/lsp/framing.h"
+#include "runtime/text/version.h"
 
 namespace plsc::cli {
 

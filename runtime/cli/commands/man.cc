@@ -8,7 +8,7 @@
 #include "runtime/cli/arguments/command.h"
 #include "runtime/cli/arguments/man_page.h"
 #include "runtime/cli/files/output_path.h"
-#include "runtime/cli/version.h"
+#include "runtime/text/version.h"
 
 namespace plsc::cli {
 

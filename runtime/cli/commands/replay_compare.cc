@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "runtime/develop/descriptors.h"
-#include "runtime/life/evaluation.h"
+#include "runtime/life/season_result.h"
 
 namespace plsc::cli {
 

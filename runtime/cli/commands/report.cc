@@ -11,9 +11,9 @@
 #include "runtime/cli/arguments/command.h"
 #include "runtime/cli/files/open_run.h"
 #include "runtime/cli/files/output_path.h"
-#include "runtime/cli/version.h"
 #include "runtime/pages/page.h"
 #include "runtime/report/report_json.h"
+#include "runtime/text/version.h"
 
 namespace plsc::cli {
 

@@ -19,6 +19,7 @@
 #include "runtime/pictures/path_svg.h"
 #include "runtime/recording/recording_json.h"
 #include "runtime/recording/trajectory_csv.h"
+#include "runtime/scenario/scenario_yaml.h"
 
 namespace plsc::cli {
 

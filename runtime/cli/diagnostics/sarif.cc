@@ -7,8 +7,8 @@
 
 #include "grammar/codes.h"
 #include "runtime/cli/explanations/explanations.h"
-#include "runtime/cli/version.h"
 #include "runtime/text/json_dump.h"
+#include "runtime/text/version.h"
 
 namespace plsc::cli {
 

@@ -7,6 +7,7 @@
 
 #include "compiler/print.h"
 #include "grammar/shown_line.h"
+#include "runtime/scenario/scenario_yaml.h"
 
 namespace plsc::cli {
 

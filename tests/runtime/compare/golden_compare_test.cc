@@ -127,14 +127,5 @@ TEST_CASE("the tolerance is for descriptors only", "[golden]") {
   }
 }
 
-TEST_CASE("every kind of difference has its name and sentence", "[golden]") {
-  CHECK(KindName(DifferenceKind::kMoved) == "moved");
-  CHECK(Describe({DifferenceKind::kAdded, "edge a->b", "", ""}) ==
-        "edge a->b added");
-  CHECK(Describe(
-            {DifferenceKind::kMoved, "module 7 (A1)", "x=1,y=0", "x=0,y=1"}) ==
-        "module 7 (A1) moved: expected x=1,y=0, found x=0,y=1");
-}
-
 }  // namespace
 }  // namespace plsc

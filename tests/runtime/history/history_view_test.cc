@@ -1,5 +1,6 @@
 #include "runtime/history/history_view.h"
 
+#include "runtime/develop/part_names.h"
 #include "tests/runtime/develop/grown.h"
 
 namespace plsc {
@@ -24,15 +25,6 @@ TEST_CASE("a written axiom has a place", "[history_view]") {
   const Occurrence axiom = grown.history.derivation[0].occurrence;
   CHECK(PlaceText(grown.source, SpanOf(grown.view(), axiom)) ==
         "robot.pls:2:7");
-}
-
-TEST_CASE("parts have the names of the phenotype's files", "[history_view]") {
-  CHECK(NodeName(0) == "node1");
-  CHECK(EdgeName({2, 0, 0.5}) == "node3-node1");
-  CHECK(SlotName(Slot::kBack) == "back");
-  CHECK(SlotName(Slot::kFront) == "front");
-  CHECK(SlotName(Slot::kRight) == "right");
-  CHECK(SlotName(Slot::kLeft) == "left");
 }
 
 }  // namespace

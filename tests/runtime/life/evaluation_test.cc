@@ -22,29 +22,6 @@ Scenario ShortScenario() {
 
 }  // namespace
 
-TEST_CASE("The fitness of a season is Eq. 2, in m/s", "[evaluation]") {
-  struct Row {
-    const char* why;
-    double speed;
-    int hinges;
-    double expected;
-  };
-  const std::vector<Row> rows = {
-      {"forwards: the speed", 0.025, 4, 0.025},
-      {"backwards: a tenth of it", -0.025, 4, -0.0025},
-      {"no movement: worse than any slide", 0, 4, -0.1},
-      {"no movement in the other direction", -0.0, 4, -0.1},
-      {"no joint: as no movement, however it fell", 0.025, 0, -0.1},
-      {"no joint, fell backwards", -0.025, 0, -0.1},
-      {"one joint is enough", 1e-9, 1, 1e-9}};
-  for (const Row& row : rows) {
-    DYNAMIC_SECTION(row.why) {
-      CHECK(SeasonFitness(row.speed, row.hinges) ==
-            Approx(row.expected).epsilon(1e-15));
-    }
-  }
-}
-
 TEST_CASE("Every season is lived by the robot that develops for it",
           "[evaluation]") {
   const Genotype genotype = Robot(

@@ -13,6 +13,7 @@
 #include "runtime/life/evaluation.h"
 #include "runtime/life/life_plan.h"
 #include "runtime/scenario/scenario_profile.h"
+#include "runtime/scenario/scenario_yaml.h"
 #include "tests/runtime/develop/compile_text.h"
 
 namespace plsc {

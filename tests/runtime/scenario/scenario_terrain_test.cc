@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "runtime/scenario/scenario.h"
+#include "runtime/scenario/scenario_yaml.h"
 #include "tests/sim/terrains.h"
 
 namespace plsc {

@@ -1,4 +1,5 @@
 #include "runtime/scenario/scenario.h"
+#include "runtime/scenario/scenario_yaml.h"
 
 #include <catch2/catch.hpp>
 #include <string>

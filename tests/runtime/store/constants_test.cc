@@ -1,4 +1,5 @@
 #include "runtime/store/constants.h"
+#include "runtime/scenario/scenario_yaml.h"
 
 #include <algorithm>
 #include <catch2/catch.hpp>

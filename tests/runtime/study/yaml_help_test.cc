@@ -11,6 +11,7 @@
 
 #include "runtime/evolve/experiment.h"
 #include "runtime/scenario/scenario.h"
+#include "runtime/scenario/scenario_yaml.h"
 #include "runtime/study/study.h"
 
 namespace plsc {

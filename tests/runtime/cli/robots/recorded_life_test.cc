@@ -5,6 +5,7 @@
 
 #include "runtime/cli/files/load_program.h"
 #include "runtime/scenario/scenario_profile.h"
+#include "runtime/scenario/scenario_yaml.h"
 #include "tests/runtime/cli/run_plsc.h"
 
 namespace plsc {

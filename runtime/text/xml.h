@@ -5,10 +5,15 @@
 // be any text.
 
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 namespace plsc {
+
+/// For text and attributes of XML; control characters are left out, which XML
+/// cannot hold.
+std::string EscapeXml(std::string_view text);
 
 struct XmlElement {
   std::string name;

@@ -1,11 +1,16 @@
-#include "runtime/text/xml_text.h"
+#include "runtime/text/xml.h"
 
 #include <catch2/catch.hpp>
 
 namespace plsc {
 namespace {
 
-TEST_CASE("A tree of elements is printed by level", "[xml_text]") {
+TEST_CASE("text is safe in XML", "[xml]") {
+  CHECK(EscapeXml("a<b> & \"c\" \x01\n\u00e9") ==
+        "a&lt;b&gt; &amp; &quot;c&quot; \u00e9");
+}
+
+TEST_CASE("A tree of elements is printed by level", "[xml]") {
   const XmlElement root{
       "a", {{"b", "1"}}, {{"c"}, XmlText("d", "x"), {"e", {}, {{"f"}}}}};
   CHECK(PrintXml(root) ==
@@ -19,7 +24,7 @@ TEST_CASE("A tree of elements is printed by level", "[xml_text]") {
         "</a>\n");
 }
 
-TEST_CASE("Any text is safe in a value and in a comment", "[xml_text]") {
+TEST_CASE("Any text is safe in a value and in a comment", "[xml]") {
   struct Row {
     const char* why;
     std::string text;
@@ -46,7 +51,7 @@ TEST_CASE("Any text is safe in a value and in a comment", "[xml_text]") {
   }
 }
 
-TEST_CASE("Lines of a comment stand below each other", "[xml_text]") {
+TEST_CASE("Lines of a comment stand below each other", "[xml]") {
   CHECK(PrintXml({"a", {}, {XmlComment("one\ntwo")}})
             .ends_with("  <!-- one\n       two -->\n</a>\n"));
 }

@@ -1,0 +1,9 @@
+#pragma once
+
+#include <cstdint>
+
+namespace plsc {
+
+enum class PageKind : std::uint8_t { kReport, kView, kExplain };
+
+}  // namespace plsc
