@@ -10,6 +10,7 @@
 #include "runtime/evolve/breed.h"
 #include "runtime/evolve/select.h"
 #include "runtime/evolve/worker_request.h"
+#include "runtime/life/evaluation.h"
 #include "runtime/workers/worker_count.h"
 #include "runtime/workers/worker_pool.h"
 

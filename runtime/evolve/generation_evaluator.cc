@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "runtime/evolve/worker_request.h"
+#include "runtime/life/simulated.h"
 
 namespace plsc {
 

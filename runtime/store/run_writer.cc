@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "compiler/print.h"
+#include "runtime/life/simulated.h"
 #include "runtime/store/genotype_parts.h"
 #include "runtime/store/names.h"
 #include "runtime/store/packing.h"
