@@ -1,7 +1,7 @@
 #pragma once
 
 // What only the simulator can tell of a season. All else of a SeasonResult
-// follows from the genotype and from what was felt (runtime/life_plan), so
+// follows from the genotype and from what was felt (runtime/life/life_plan), so
 // this is what a store of simulations keeps.
 
 #include <cstdint>
