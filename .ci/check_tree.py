@@ -151,6 +151,24 @@ def check_concepts(problems):
             problems.append(f"{folder}: {count} concepts, more than {MOST_CONCEPTS}")
 
 
+def check_table(problems):
+    """docs/architecture.md shows these rooms, in this order, with their arrows."""
+    rows = re.findall(r"^\| `([a-z/]+)/` \|.*\| ([^|]+) \|$",
+                      (ROOT / "docs/architecture.md").read_text(), re.MULTILINE)
+
+    def short(name):
+        return "all before cli" if name == "*" else name.removeprefix("runtime/")
+
+    wanted = [(short(folder), ", ".join(map(short, names.split())) or "-")
+              for folder, names in ARROWS.items()]
+    if [room for room, _ in rows] != [room for room, _ in wanted]:
+        problems.append("docs/architecture.md: the table's rooms are not those of ARROWS")
+        return
+    for (room, shown), (_, names) in zip(rows, wanted):
+        if set(shown.split(", ")) != set(names.split(", ")):
+            problems.append(f"docs/architecture.md: {room}/ may include: {names}")
+
+
 def check_folders(problems):
     """Every folder says what is in it, and what is not."""
     for base in ("grammar", "compiler", "sim", "runtime", "tests"):
@@ -209,6 +227,7 @@ def main():
     check_arrows(problems)
     check_includes(problems)
     check_concepts(problems)
+    check_table(problems)
     check_folders(problems)
     check_lists(problems)
     check_mirror(problems)
