@@ -169,6 +169,21 @@ def check_table(problems):
             problems.append(f"docs/architecture.md: {room}/ may include: {names}")
 
 
+def check_paths(problems):
+    """Documents name files, folders and concepts that exist."""
+    path = re.compile(r"(?<![\w/.-])(?:grammar|compiler|sim|runtime|tests)/[\w/.*-]+")
+    example = ("tests/a/", "tests/fuzz/corpus/TARGET")
+    for document in [ROOT / "README.md", *(ROOT / "docs").rglob("*.md"),
+                     *(f / "README.md" for f in {s.parent for s in SOURCES})]:
+        if not document.exists() or "node_modules" in document.parts:
+            continue
+        for found in sorted(set(path.findall(document.read_text()))):
+            name = found.rstrip("./-")
+            if name.startswith(example) or any(ROOT.glob(name)) or any(ROOT.glob(name + ".*")):
+                continue
+            problems.append(f"{document.relative_to(ROOT)}: there is no {name}")
+
+
 def check_folders(problems):
     """Every folder says what is in it, and what is not."""
     for base in ("grammar", "compiler", "sim", "runtime", "tests"):
@@ -228,6 +243,7 @@ def main():
     check_includes(problems)
     check_concepts(problems)
     check_table(problems)
+    check_paths(problems)
     check_folders(problems)
     check_lists(problems)
     check_mirror(problems)
