@@ -172,12 +172,17 @@ def check_table(problems):
 def check_paths(problems):
     """Documents name files, folders and concepts that exist."""
     path = re.compile(r"(?<![\w/.-])(?:grammar|compiler|sim|runtime|tests)/[\w/.*-]+")
-    example = ("tests/a/", "tests/fuzz/corpus/TARGET")
+    example = ("a/b", "tests/a/b", "tests/fuzz/corpus/TARGET")
     for document in [ROOT / "README.md", *(ROOT / "docs").rglob("*.md"),
                      *(f / "README.md" for f in {s.parent for s in SOURCES})]:
         if not document.exists() or "node_modules" in document.parts:
             continue
-        for found in sorted(set(path.findall(document.read_text()))):
+        text = document.read_text()
+        for found in re.findall(r"`([a-z_/]+/[a-z_]+\.(?:h|cc))`", text):
+            bases = ("", "runtime")
+            if not found.startswith(example) and not any((ROOT / b / found).exists() for b in bases):
+                problems.append(f"{document.relative_to(ROOT)}: there is no {found}")
+        for found in sorted(set(path.findall(text))):
             name = found.rstrip("./-")
             if name.startswith(example) or any(ROOT.glob(name)) or any(ROOT.glob(name + ".*")):
                 continue
