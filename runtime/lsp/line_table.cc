@@ -27,7 +27,7 @@ struct Character {
 };
 
 // The character that begins the text.
-Character FirstOf(std::string_view text) {
+Character FirstCharacter(std::string_view text) {
   const auto lead = static_cast<unsigned char>(text[0]);
   std::uint32_t wanted = 1;
   if (lead >= 0xF0U)
@@ -48,7 +48,7 @@ Character FirstOf(std::string_view text) {
 std::uint32_t Utf16Length(std::string_view text) {
   std::uint32_t units = 0;
   while (!text.empty()) {
-    const Character first = FirstOf(text);
+    const Character first = FirstCharacter(text);
     units += first.units;
     text.remove_prefix(first.bytes);
   }
@@ -68,7 +68,7 @@ LineTable::LineTable(std::string_view text) : text_(text), begins_{0} {
   while (at.offset < text.size()) {
     if (marks_.empty() || at.offset - marks_.back().offset >= kMarkDistance)
       marks_.push_back(at);
-    const Character next = FirstOf(text.substr(at.offset));
+    const Character next = FirstCharacter(text.substr(at.offset));
     at.offset += next.bytes;
     at.units += next.units;
   }
@@ -133,7 +133,7 @@ std::uint32_t LineTable::OffsetAt(Place place) const {
     at = mark.offset;
   }
   while (at < end) {
-    const Character next = FirstOf(text_.substr(at, end - at));
+    const Character next = FirstCharacter(text_.substr(at, end - at));
     if (units + next.units > place.character) break;
     units += next.units;
     at += next.bytes;

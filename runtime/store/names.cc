@@ -18,11 +18,6 @@ std::optional<Enum> Named(std::string_view name, Enum last, Name name_of) {
   return std::nullopt;
 }
 
-std::string Dump(const Json& json) {
-  // A text that is no UTF-8 would be an exception otherwise.
-  return DumpJson(json);
-}
-
 Json Parse(const std::string& text) {
   return Json::parse(text, nullptr, false);
 }
@@ -83,14 +78,14 @@ std::optional<Key> KeyOfHex(std::string_view digits) {
 std::string SensedText(const std::vector<SensedState>& sensed) {
   Json json = Json::object();
   for (const SensedState& state : sensed) json[state.name] = state.value;
-  return Dump(json);
+  return DumpJson(json);
 }
 
 std::string SourcesText(const std::vector<SensedState>& sensed) {
   Json json = Json::object();
   for (const SensedState& state : sensed)
     json[state.name] = SenseSourceName(state.from);
-  return Dump(json);
+  return DumpJson(json);
 }
 
 std::optional<std::vector<SensedState>> SensedOf(const std::string& sensed,
@@ -114,7 +109,7 @@ std::string HeadsText(const std::vector<SymbolId>& heads,
                       const Alphabet& alphabet) {
   Json json = Json::array();
   for (const SymbolId head : heads) json.push_back(alphabet[head].name);
-  return Dump(json);
+  return DumpJson(json);
 }
 
 std::optional<std::vector<SymbolId>> HeadsOf(const std::string& text,
@@ -133,7 +128,7 @@ std::optional<std::vector<SymbolId>> HeadsOf(const std::string& text,
 std::string SensesText(const std::map<std::string, std::string>& senses) {
   Json json = Json::object();
   for (const auto& [name, value] : senses) json[name] = value;
-  return Dump(json);
+  return DumpJson(json);
 }
 
 std::optional<std::map<std::string, std::string>> SensesOf(

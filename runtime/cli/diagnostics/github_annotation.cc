@@ -38,7 +38,7 @@ std::string Clip(std::string_view text) {
   return Printable(text, kMaxMessage);
 }
 
-std::string MessageOf(const Diagnostic& diagnostic) {
+std::string ClippedMessage(const Diagnostic& diagnostic) {
   std::string text = Clip(diagnostic.message);
   if (!diagnostic.label.empty()) text += "\n" + Clip(diagnostic.label);
   for (const std::string& note : diagnostic.notes)
@@ -62,7 +62,7 @@ std::string GithubAnnotation(const Diagnostic& diagnostic,
   if (begin.line == end.line) text += fmt::format(",endColumn={}", end.column);
   const std::string title = diagnostic.code.empty() ? "plsc" : diagnostic.code;
   return text + fmt::format(",title={}::{}", Property(title),
-                            Data(MessageOf(diagnostic)));
+                            Data(ClippedMessage(diagnostic)));
 }
 
 }  // namespace plsc::cli
