@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "runtime/exports/controller_tables.h"
+#include "runtime/exports/robot_model.h"
 #include "sim/controller.h"
 
 namespace plsc {

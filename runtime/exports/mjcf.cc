@@ -4,6 +4,7 @@
 
 #include "runtime/exports/mjcf_ground.h"
 #include "runtime/exports/number_text.h"
+#include "runtime/exports/robot_model.h"
 #include "runtime/text/xml.h"
 
 namespace plsc {

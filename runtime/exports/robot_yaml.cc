@@ -5,6 +5,8 @@
 #include <cassert>
 #include <cstddef>
 
+#include "runtime/exports/robot_model.h"
+
 namespace plsc {
 
 namespace {

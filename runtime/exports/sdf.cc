@@ -4,6 +4,7 @@
 
 #include "runtime/exports/exported_ground.h"
 #include "runtime/exports/number_text.h"
+#include "runtime/exports/robot_model.h"
 #include "runtime/scenario/scenario_terrain.h"
 #include "runtime/text/xml.h"
 #include "sim/ground.h"

@@ -3,6 +3,7 @@
 #include <cstddef>
 
 #include "runtime/exports/number_text.h"
+#include "runtime/exports/robot_model.h"
 #include "runtime/text/xml.h"
 
 namespace plsc {

@@ -29,7 +29,7 @@
 #include <utility>
 
 #include "runtime/develop/phenotype_json.h"
-#include "runtime/life/evaluation.h"
+#include "runtime/life/life.h"
 #include "runtime/life/season_developer.h"
 #include "runtime/scenario/scenario_yaml.h"
 #include "sim/imu.h"

@@ -18,6 +18,7 @@
 #include "runtime/pictures/map_view.h"
 #include "runtime/pictures/svg_style.h"
 #include "runtime/pictures/top_view.h"
+#include "runtime/recording/recording.h"
 #include "runtime/text/utf8.h"
 #include "runtime/text/xml.h"
 

@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-#include "runtime/life/evaluation.h"
+#include "runtime/life/life.h"
 #include "sim/modules.h"
 #include "sim/pose_recorder.h"
 

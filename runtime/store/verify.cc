@@ -167,8 +167,9 @@ Health Examination::Take() {
 }  // namespace
 
 Failure CheckIdentity(Database& database) {
-  const std::int64_t application = Single(database, "PRAGMA application_id");
-  const std::int64_t version = Single(database, "PRAGMA user_version");
+  const std::int64_t application =
+      SingleInteger(database, "PRAGMA application_id");
+  const std::int64_t version = SingleInteger(database, "PRAGMA user_version");
   if (database.has_failed()) return database.TakeFailure();
   if (application != kApplicationId)
     return fmt::format("'{}' is no run of plsc, but another program's file",
