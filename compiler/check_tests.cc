@@ -122,7 +122,7 @@ class TestChecker {
 
   void CheckKind(const ast::BodyNode& node, SymbolId id) {
     const bool is_module =
-        (*scope_.header.alphabet)[id].category == Category::kModule;
+        scope_.header.SymbolOf(id).category == Category::kModule;
     const std::string_view name = file_.Text(node.name);
     if (!is_module)
       Report("P2021", node.name, fmt::format("'{}' is no module", name)).label =

@@ -147,9 +147,7 @@ class Resolver {
   static constexpr auto kEqual = ast::Comparison::kEqual;
   static constexpr auto kNotEqual = ast::Comparison::kNotEqual;
 
-  const State& StateOf(StateId id) const {
-    return scope_.header.states[static_cast<std::size_t>(id)];
-  }
+  const State& StateOf(StateId id) const { return scope_.header.StateOf(id); }
   bool IsOrdered(StateId id) const {
     return StateOf(id).type == StateType::kReal;
   }

@@ -9,15 +9,12 @@
 namespace plsc {
 
 std::string SymbolText(const Genotype& genotype, const Occurrence& occurrence) {
-  Symbol symbol{occurrence.symbol, {}};
-  if (occurrence.rule != kNoRule)
-    symbol = genotype.rules[occurrence.rule].production[occurrence.position];
-  return PrintSymbol(symbol, *genotype.alphabet);
+  return PrintSymbol(SymbolAt(genotype, occurrence), *genotype.alphabet);
 }
 
 const std::string& NameOf(const Genotype& genotype,
                           const Occurrence& occurrence) {
-  return (*genotype.alphabet)[occurrence.symbol].name;
+  return genotype.SymbolOf(occurrence.symbol).name;
 }
 
 std::string NodeName(int index) {
@@ -33,6 +30,13 @@ std::string_view SlotName(Slot slot) {
   constexpr std::array<std::string_view, kSlots> kNames{"back", "front",
                                                         "right", "left"};
   return kNames[static_cast<std::size_t>(slot)];
+}
+
+std::string_view FacingName(Facing facing) {
+  // By Facing.
+  constexpr std::array<std::string_view, 4> kNames{"front", "left", "back",
+                                                   "right"};
+  return kNames[static_cast<std::size_t>(facing)];
 }
 
 }  // namespace plsc

@@ -14,6 +14,7 @@
 #include "runtime/report/experiment_difference.h"
 #include "runtime/scenario/scenario_terrain.h"
 #include "runtime/text/json_dump.h"
+#include "runtime/text/quantity.h"
 
 namespace plsc {
 
@@ -225,7 +226,6 @@ Json SensedJson(const std::vector<SensedState>& sensed,
 }
 
 Json PortraitJson(const Portrait& portrait) {
-  constexpr double kCentimetres = 100;
   Json json{{"id", portrait.id},
             {"name", portrait.name},
             {"born", portrait.born},

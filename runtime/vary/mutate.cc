@@ -60,7 +60,7 @@ Term ChangeEnumTerm(Term term, std::size_t values, Rng& rng) {
 }
 
 Term ChangeTerm(const Term& term, const std::vector<State>& states, Rng& rng) {
-  const State& state = states[static_cast<std::size_t>(term.state)];
+  const State& state = StateAt(states, term.state);
   Term changed = term;
   switch (state.type) {
     case StateType::kBool:

@@ -47,7 +47,7 @@ const char* VerbOf(MutationKind kind) {
 std::string RuleText(const Genotype& parent, const Mutation& mutation) {
   const Rule& one = parent.rules[mutation.rule];
   return fmt::format(
-      "rule {} ({}{})", RuleNumber(mutation), (*parent.alphabet)[one.head].name,
+      "rule {} ({}{})", RuleNumber(mutation), parent.SymbolOf(one.head).name,
       one.clause.is_always() ? "" : " if " + PrintClause(one.clause, parent));
 }
 

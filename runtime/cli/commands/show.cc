@@ -13,6 +13,7 @@
 #include "runtime/store/lock.h"
 #include "runtime/store/verify.h"
 #include "runtime/text/json_dump.h"
+#include "runtime/text/quantity.h"
 
 namespace plsc::cli {
 
@@ -41,7 +42,6 @@ std::string Origin(const Heritage& heritage, const Alphabet& alphabet) {
 
 /// "2.66 -0.10 none cm/s": of the seasons in their order.
 std::string SpeedsOf(const SeasonFitnesses& fitnesses) {
-  constexpr double kCentimetres = 100;
   if (fitnesses.empty()) return "not evaluated yet";
   std::string text;
   for (const std::optional<double>& fitness : fitnesses)

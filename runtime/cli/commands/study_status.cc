@@ -9,12 +9,11 @@
 #include "runtime/study/run_report.h"
 #include "runtime/study/study_folder.h"
 #include "runtime/text/json_dump.h"
+#include "runtime/text/quantity.h"
 
 namespace plsc::cli {
 
 namespace {
-
-constexpr double kCentimetres = 100;
 
 /// "flat 3.63 tilted 1.32 cm/s"; - for a life that was not completed.
 std::string SpeedsText(const RunReport& report) {

@@ -44,18 +44,6 @@ std::string UtcNow() {
   return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
 }
 
-std::string_view EndingName(Ending ending) {
-  switch (ending) {
-    case Ending::kFinished:
-      return "finished";
-    case Ending::kStopped:
-      return "stopped";
-    case Ending::kFailed:
-      return "failed";
-  }
-  return "";
-}
-
 bool IsNew(const RunRequest& request) {
   std::error_code error;
   return request.experiment &&
@@ -214,7 +202,7 @@ SessionEnd EndOf(const RunOutcome& outcome) {
   const Effort& effort = outcome.effort;
   SessionEnd end;
   end.ended = UtcNow();
-  end.how = EndingName(outcome.result.ending);
+  end.how = NameIn(kEndingNames, outcome.result.ending);
   if (!outcome.result.failure.empty()) end.how += ": " + outcome.result.failure;
   end.workers = effort.workers;
   end.evaluations = effort.evaluations;
