@@ -186,7 +186,7 @@ void AppendExpectedBody(const std::vector<ExpectedModule>& body,
     const auto indent = 2 * static_cast<std::size_t>(module.depth);
     text->append(indent, ' ');
     if (module.depth > 0) {
-      *text += FaceName(module.face);
+      *text += NameIn(kFaceNames, module.face);
       *text += ' ';
     }
     *text += alphabet[module.symbol].name;
@@ -302,7 +302,7 @@ std::string PrintBody(const std::vector<ExpectedModule>& body,
     const ExpectedModule& module = body[i];
     if (module.depth > 0) {
       text += ' ';
-      text += FaceName(module.face);
+      text += NameIn(kFaceNames, module.face);
       text += ' ';
     }
     text += alphabet[module.symbol].name;

@@ -129,13 +129,9 @@ class Resolver {
   }
 
   std::optional<Face> ResolveFace(Span name) {
-    std::vector<std::string_view> names;
-    for (int i = 0; i < kFaces; ++i) {
-      const auto face = static_cast<Face>(i);
-      if (FaceName(face) == file_.Text(name)) return face;
-      names.push_back(FaceName(face));
-    }
+    if (const auto face = ValueIn(kFaceNames, file_.Text(name))) return face;
     if (is_full()) return std::nullopt;
+    const std::vector<std::string_view> names = AllNames(kFaceNames);
     SuggestAmong(
         names,
         &Report("P2021", name,

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 namespace plsc {
 
@@ -33,6 +34,14 @@ constexpr std::optional<E> ValueIn(const EnumNames<E, N>& names,
   for (const auto& [value, its] : names)
     if (its == name) return value;
   return std::nullopt;
+}
+
+/// All of them, to say what was expected.
+template <typename E, std::size_t N>
+std::vector<std::string_view> AllNames(const EnumNames<E, N>& names) {
+  std::vector<std::string_view> all;
+  for (const auto& [value, name] : names) all.push_back(name);
+  return all;
 }
 
 }  // namespace plsc

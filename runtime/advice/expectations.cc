@@ -10,6 +10,7 @@
 #include "compiler/print.h"
 #include "runtime/develop/derive.h"
 #include "runtime/develop/develop.h"
+#include "runtime/develop/part_names.h"
 
 namespace plsc {
 
@@ -189,8 +190,9 @@ class InlineTestRun {
       std::size_t parent = at - 1;
       while (expected[parent].module.depth >= found[at].depth) --parent;
       Diagnostic diagnostic = Fail(expected[parent].span);
-      diagnostic.label = fmt::format("has {} at its {}, which is not expected",
-                                     name(found[at]), FaceName(found[at].face));
+      diagnostic.label =
+          fmt::format("has {} at its {}, which is not expected",
+                      name(found[at]), NameIn(kFaceNames, found[at].face));
       return diagnostic;
     }
     Diagnostic diagnostic = Fail(expected[at].span);

@@ -2,9 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <array>
-
 #include "compiler/print.h"
+#include "grammar/enum_names.h"
 
 namespace plsc {
 
@@ -26,17 +25,19 @@ std::string EdgeName(const Connection& connection) {
 }
 
 std::string_view SlotName(Slot slot) {
-  // By Slot.
-  constexpr std::array<std::string_view, kSlots> kNames{"back", "front",
-                                                        "right", "left"};
-  return kNames[static_cast<std::size_t>(slot)];
+  constexpr EnumNames<Slot, kSlots> kNames{{{Slot::kBack, "back"},
+                                            {Slot::kFront, "front"},
+                                            {Slot::kRight, "right"},
+                                            {Slot::kLeft, "left"}}};
+  return NameIn(kNames, slot);
 }
 
 std::string_view FacingName(Facing facing) {
-  // By Facing.
-  constexpr std::array<std::string_view, 4> kNames{"front", "left", "back",
-                                                   "right"};
-  return kNames[static_cast<std::size_t>(facing)];
+  constexpr EnumNames<Facing, 4> kNames{{{Facing::kFront, "front"},
+                                         {Facing::kLeft, "left"},
+                                         {Facing::kBack, "back"},
+                                         {Facing::kRight, "right"}}};
+  return NameIn(kNames, facing);
 }
 
 }  // namespace plsc

@@ -127,21 +127,6 @@ std::size_t Meant(const std::vector<Symbol>& production, std::size_t index,
 
 }  // namespace
 
-std::string_view MutationName(MutationKind kind) {
-  switch (kind) {
-    case MutationKind::kDelete:
-      return "delete";
-    case MutationKind::kSwap:
-      return "swap";
-    case MutationKind::kAdd:
-      return "add";
-    case MutationKind::kClause:
-      return "clause";
-  }
-  assert(false);
-  return "";
-}
-
 Mutation DrawMutation(const Genotype& genotype, Encoding encoding, Rng& rng,
                       const MutationOptions& options) {
   assert(!genotype.rules.empty());

@@ -67,11 +67,11 @@ OneChild MutateOne(const Program& parent, const HowToMutate& how,
   child.told = has_changed
                    ? fmt::format("{} {}", VerbOf(mutation.kind), rule)
                    : fmt::format("nothing changed: {} of {} had no effect",
-                                 MutationName(mutation.kind), rule);
+                                 NameIn(kMutationNames, mutation.kind), rule);
   child.what = {{"seed", std::to_string(key.seed)},
                 {"generation", key.generation},
                 {"individual", key.individual},
-                {"mutation", MutationName(mutation.kind)},
+                {"mutation", NameIn(kMutationNames, mutation.kind)},
                 {"rule", RuleNumber(mutation)},
                 {"changed", has_changed}};
   return child;

@@ -34,9 +34,9 @@ std::string Origin(const Heritage& heritage, const Alphabet& alphabet) {
         fmt::format(" ({} of {})", fmt::join(heads, ", "), heritage.parents[1]);
   }
   if (heritage.mutation)
-    text +=
-        fmt::format(", {} of rule {}", MutationName(heritage.mutation->kind),
-                    RuleNumber(*heritage.mutation));
+    text += fmt::format(", {} of rule {}",
+                        NameIn(kMutationNames, heritage.mutation->kind),
+                        RuleNumber(*heritage.mutation));
   return text;
 }
 

@@ -230,7 +230,7 @@ Exit Run(const SimulateCommand& command, Io& io) {
     io.out << fmt::format(
         "{} in scenario {} (profile {})\n", genotype.name,
         scenario.name.empty() ? "of no name" : Escaped(scenario.name),
-        ProfileName(scenario.profile));
+        NameIn(kProfileNames, scenario.profile));
     PrintHeader(io.out);
   }
   // Samples mean nothing without the constants that they were made with.
