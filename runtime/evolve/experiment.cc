@@ -404,6 +404,12 @@ Result<Experiment> ParseExperiment(const Source& yaml) {
   return experiment;
 }
 
+bool AreSame(const Experiment& one, const Experiment& other) {
+  Experiment there = one;
+  there.scenario_file = other.scenario_file;
+  return there == other;
+}
+
 std::string PrintExperimentKeys(const Experiment& experiment, int indent) {
   std::string text;
   text += fmt::format("robots: {}\n", PrintYamlText(experiment.robots));

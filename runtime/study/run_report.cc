@@ -46,7 +46,7 @@ RunReport ReportOn(const std::string& folder, const Study& study,
   RunStore store;
   if (auto failure = store.OpenForReading(path))
     return Damaged(std::move(*failure));
-  if (store.experiment() != ExperimentOf(study, run))
+  if (!AreSame(store.experiment(), ExperimentOf(study, run)))
     return Damaged(fmt::format(
         "'{}' is a run of another experiment or seed than the study's", path));
   const Loaded<RunStatus> status = store.Status();

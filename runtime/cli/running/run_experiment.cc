@@ -61,8 +61,7 @@ Failure OpenStore(const RunRequest& request, RunStore& store) {
           request.path);
     return failure;
   }
-  if (!request.experiment || PrintExperiment(*request.experiment) ==
-                                 PrintExperiment(store.experiment()))
+  if (!request.experiment || AreSame(*request.experiment, store.experiment()))
     return std::nullopt;
   store.Discard();
   return fmt::format(
@@ -90,7 +89,7 @@ Failure OpenSalvage(RunRequest& request, Salvage& salvage, Io& io) {
         "what '{}' is a run of cannot be read: name the experiment's file, too",
         request.salvage);
   if (own && request.experiment &&
-      PrintExperiment(*own) != PrintExperiment(*request.experiment))
+      !AreSame(*own, *request.experiment))
     return fmt::format("'{}' is a run of another experiment or seed",
                        request.salvage);
   if (!request.allow_other_version && salvage.versions() != ThisProgram())
