@@ -13,6 +13,7 @@
 #include <iterator>
 #include <ostream>
 
+#include "grammar/shown_line.h"
 #include "runtime/cli/files/pipe_errors.h"
 #include "runtime/text/system_reason.h"
 
