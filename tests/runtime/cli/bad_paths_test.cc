@@ -4,7 +4,9 @@
 // root, who has them all.
 
 #include <fcntl.h>
+#include <poll.h>
 #include <signal.h>
+#include <sys/pidfd.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -274,6 +276,14 @@ void TouchPipe(const std::string& path) {
   }
 }
 
+void TouchPipeUntilEnd(const std::string& path, pid_t child) {
+  pollfd ended{::pidfd_open(child, 0), POLLIN, 0};
+  REQUIRE(ended.fd >= 0);
+  do TouchPipe(path);
+  while (::poll(&ended, 1, 1) == 0);
+  ::close(ended.fd);
+}
+
 Reported Run(const std::vector<std::string>& arguments, const World& world,
              bool is_nobody) {
   const test::TemporaryFolder folder;
@@ -286,11 +296,9 @@ Reported Run(const std::vector<std::string>& arguments, const World& world,
   ::close(told);
   const bool has_pipe =
       std::find(arguments.begin(), arguments.end(), "fifo") != arguments.end();
+  if (has_pipe) TouchPipeUntilEnd(world.path() + "/fifo", child);
   Reported result;
-  while (::waitpid(child, &result.status, has_pipe ? WNOHANG : 0) == 0) {
-    TouchPipe(world.path() + "/fifo");
-    ::usleep(1000);
-  }
+  REQUIRE(::waitpid(child, &result.status, 0) == child);
   const std::string text = test::ReadFile(file);
   const std::size_t mark = text.find('\0');
   result.out = text.substr(0, mark);

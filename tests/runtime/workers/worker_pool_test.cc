@@ -1,6 +1,8 @@
 #include "runtime/workers/worker_pool.h"
 
+#include <poll.h>
 #include <signal.h>
+#include <sys/pidfd.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/socket.h>
@@ -24,8 +26,20 @@ using test::Collect;
 using test::IsAlive;
 using test::kPatience;
 using test::SharedCounter;
+using test::WaitForEver;
 
 namespace {
+
+/// Whether that child of ours ends in time; waited for then.
+bool Ends(pid_t child) {
+  constexpr int kLongEnough = 20'000;  // ms
+  const int process = pidfd_open(child, 0);
+  REQUIRE(process >= 0);
+  pollfd ended{process, POLLIN, 0};
+  const bool is_over = poll(&ended, 1, kLongEnough) == 1;
+  close(process);
+  return is_over && waitpid(child, nullptr, WNOHANG) == child;
+}
 
 pid_t PidFrom(const std::string& text) {
   return static_cast<pid_t>(std::stoi(text));
@@ -213,15 +227,14 @@ TEST_CASE("Workers die with a parent that is killed", "[workers]") {
   if (parent == 0) {
     WorkerPool pool(1, [](const std::string& text) {
       // What has begun would last longer than the test.
-      if (text == "sleep") sleep(600);
+      if (text == "for ever") WaitForEver();
       return std::to_string(getpid());
     });
     pool.Submit(0, "");
     const std::string pid = Collect(pool).at(0);
-    pool.Submit(1, "sleep");
+    pool.Submit(1, "for ever");
     if (write(ends[1], pid.data(), pid.size()) < 0) _exit(1);
-    sleep(600);
-    _exit(0);
+    WaitForEver();
   }
   char buffer[32] = {};
   REQUIRE(read(ends[0], buffer, sizeof(buffer) - 1) > 0);
@@ -229,13 +242,7 @@ TEST_CASE("Workers die with a parent that is killed", "[workers]") {
   CHECK(IsAlive(worker));
   kill(parent, SIGKILL);
   CHECK(waitpid(parent, nullptr, 0) == parent);
-  constexpr int kLongEnough = 200;  // times 10 ms
-  pid_t ended = 0;
-  for (int i = 0; i < kLongEnough && ended == 0; ++i) {
-    usleep(10'000);
-    ended = waitpid(worker, nullptr, WNOHANG);
-  }
-  CHECK(ended == worker);
+  CHECK(Ends(worker));
   close(ends[0]);
   close(ends[1]);
   prctl(PR_SET_CHILD_SUBREAPER, 0);
@@ -313,10 +320,11 @@ TEST_CASE("A pool that can have no workers says why", "[workers]") {
 }
 
 TEST_CASE("A worker that speaks without being asked is replaced", "[workers]") {
-  WorkerPool pool(2, [](const std::string& text) {
+  SharedCounter collected;
+  WorkerPool pool(2, [&](const std::string& text) {
     // Garbage after the answer reaches the pool when nothing is asked.
     if (text == "twice" && fork() == 0) {
-      usleep(100'000);
+      collected.WaitFor(1);
       SendGarbage();
       _exit(0);
     }
@@ -324,6 +332,7 @@ TEST_CASE("A worker that speaks without being asked is replaced", "[workers]") {
   });
   pool.Submit(0, "twice");
   const pid_t worker = PidFrom(Collect(pool).at(0));
+  collected.Increment();
   // The other worker keeps the pool waiting meanwhile.
   while (IsAlive(worker)) {
     pool.Submit(1, "");
