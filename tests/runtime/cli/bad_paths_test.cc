@@ -4,9 +4,7 @@
 // root, who has them all.
 
 #include <fcntl.h>
-#include <poll.h>
 #include <signal.h>
-#include <sys/pidfd.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -22,6 +20,7 @@
 
 #include "runtime/cli/arguments/command.h"
 #include "runtime/cli/arguments/command_description.h"
+#include "tests/process_end.h"
 #include "tests/runtime/cli/run_plsc.h"
 #include "tests/runtime/cli/tiny_run.h"
 
@@ -276,14 +275,6 @@ void TouchPipe(const std::string& path) {
   }
 }
 
-void TouchPipeUntilEnd(const std::string& path, pid_t child) {
-  pollfd ended{::pidfd_open(child, 0), POLLIN, 0};
-  REQUIRE(ended.fd >= 0);
-  do TouchPipe(path);
-  while (::poll(&ended, 1, 1) == 0);
-  ::close(ended.fd);
-}
-
 Reported Run(const std::vector<std::string>& arguments, const World& world,
              bool is_nobody) {
   const test::TemporaryFolder folder;
@@ -296,7 +287,8 @@ Reported Run(const std::vector<std::string>& arguments, const World& world,
   ::close(told);
   const bool has_pipe =
       std::find(arguments.begin(), arguments.end(), "fifo") != arguments.end();
-  if (has_pipe) TouchPipeUntilEnd(world.path() + "/fifo", child);
+  while (has_pipe && !test::EndsWithin(child, 1))
+    TouchPipe(world.path() + "/fifo");
   Reported result;
   REQUIRE(::waitpid(child, &result.status, 0) == child);
   const std::string text = test::ReadFile(file);
