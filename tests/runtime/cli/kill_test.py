@@ -86,7 +86,7 @@ def evaluations(path):
 
 def test_kills(folder, experiment, expected, seconds):
     """SIGKILL at instants spread over the whole run, which takes so many
-    seconds, from the first file access on."""
+    seconds, from the first file access on: several times in each."""
     chance = random.Random(5)
     kills = runs = 0
     while kills < KILLS:
@@ -96,7 +96,7 @@ def test_kills(folder, experiment, expected, seconds):
         while not finished:
             process = evolve(experiment, "-o", path, "--or-resume")
             try:
-                process.wait(timeout=chance.uniform(0, seconds)
+                process.wait(timeout=chance.uniform(0, seconds / 3)
                              if kills < KILLS else None)
                 finished = True
             except subprocess.TimeoutExpired:
