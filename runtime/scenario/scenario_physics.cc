@@ -76,22 +76,14 @@ const std::vector<NumberKey<ServoOptions>>& ServoKeys() {
   return keys;
 }
 
-const std::vector<std::string>& SolverNames() {
-  static const std::vector<std::string> names = {"direct", "iterative"};
-  return names;
-}
-
-const std::vector<std::string>& RefreshNames() {
-  static const std::vector<std::string> names = {"exact", "late"};
-  return names;
-}
+constexpr EnumNames<Solver, 2> kSolverNames{
+    {{Solver::kDirect, "direct"}, {Solver::kIterative, "iterative"}}};
 
 using Printed = std::vector<std::pair<std::string, std::string>>;
 
 Printed PrintedKeys(const PhysicsOptions& physics) {
   Printed lines;
-  lines.emplace_back("solver",
-                     SolverNames()[static_cast<std::size_t>(physics.solver)]);
+  lines.emplace_back("solver", NameIn(kSolverNames, physics.solver));
   for (const IntKey& key : PhysicsIntKeys())
     lines.emplace_back(key.name, std::to_string(physics.*key.field));
   for (const auto& key : PhysicsKeys())
@@ -109,8 +101,7 @@ PhysicsPatch ReadPhysics(YamlMap map) {
     if (map.Find(name)) patch.given.insert(name);
   };
   note("solver");
-  physics.solver = static_cast<Solver>(map.Choice(
-      "solver", static_cast<std::size_t>(physics.solver), SolverNames()));
+  physics.solver = map.Choice("solver", physics.solver, kSolverNames);
   for (const IntKey& key : PhysicsIntKeys()) {
     note(key.name);
     physics.*key.field =
@@ -157,8 +148,7 @@ ServoOptions ReadServo(YamlMap map, const ServoOptions& otherwise) {
   ServoOptions servo = otherwise;
   for (const auto& key : ServoKeys())
     servo.*key.field = map.Number(key.name, servo.*key.field, key.quantity);
-  servo.refresh = static_cast<Refresh>(map.Choice(
-      "refresh", static_cast<std::size_t>(servo.refresh), RefreshNames()));
+  servo.refresh = map.Choice("refresh", servo.refresh, kRefreshNames);
   map.Close();
   return servo;
 }
@@ -170,7 +160,7 @@ std::string PrintServo(const ServoOptions& servo, const std::string& blanks) {
         fmt::format("{}{}: {}\n", blanks, key.name,
                     PrintQuantity(servo.*key.field, key.quantity.dimension));
   text += fmt::format("{}refresh: {}\n", blanks,
-                      RefreshNames()[static_cast<std::size_t>(servo.refresh)]);
+                      NameIn(kRefreshNames, servo.refresh));
   return text;
 }
 
