@@ -1,9 +1,28 @@
+// A generation's lives as a stream: robots are planned a few at a time, each
+// piece of a life is looked up by its key (in the generation itself, then in
+// the caches), and what nobody knows goes to the workers. A key is ordered
+// once; whoever else lives the same is noted as a place to be filled when the
+// answer comes. So equal robots cost one simulation, and which of them was
+// first does not show in any result.
+//
+// What waits is bounded to some requests a worker, whatever the size of the
+// generation: planning stops while kAhead requests a worker are outstanding,
+// and goes on between answers. With fewer the workers would wait for us, and a
+// generation that is planned as a whole would have its first simulation begun
+// only then.
+//
+// Each place is filled exactly once, and a robot is told when all of its pieces
+// are. A worker's death is the answer for the places that waited for it but is
+// not kept for others, nor in a cache: it says something about a process and
+// nothing about a robot.
+
 #include "runtime/evolve/generation_evaluator.h"
 
 #include <cassert>
 #include <utility>
 
 #include "runtime/evolve/worker_request.h"
+#include "runtime/life/simulated.h"
 
 namespace plsc {
 

@@ -16,6 +16,7 @@
 #include "runtime/evolve/individual.h"
 #include "runtime/evolve/simulation_cache.h"
 #include "runtime/life/life_plan.h"
+#include "runtime/life/simulated.h"
 #include "runtime/workers/workers.h"
 
 namespace plsc {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "compiler/print.h"
+#include "runtime/develop/part_names.h"
 
 namespace plsc {
 

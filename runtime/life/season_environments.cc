@@ -4,6 +4,7 @@
 #include <numbers>
 #include <optional>
 
+#include "runtime/life/evaluation.h"
 #include "runtime/life/season_teller.h"
 #include "sim/imu.h"
 

@@ -1,3 +1,19 @@
+// A season is two halves: what follows from genotype and scenario by thinking
+// (what is sensed, which rules are active, what develops, how that differs from
+// the season before), and what only the simulator knows. This is the first
+// half, and the only place of it: a life that is lived (Life) and one that is
+// planned and put together from answers (LifePlanner) both go through here, so
+// they cannot differ in it.
+//
+// One number comes from physics, the inclination that an IMU would read, and
+// only if AsksImu. Whoever tells must give it then and only then; tests compare
+// both ways bit for bit.
+//
+// Seasons are told in order and each exactly once (Next or Skip): with
+// plasticity "morphogenesis" the robot of birth and what it sensed then are
+// kept, and the change of a season is one against the last robot that there
+// was. A season costs one development.
+
 #include "runtime/life/season_teller.h"
 
 #include <fmt/format.h>

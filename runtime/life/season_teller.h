@@ -9,6 +9,7 @@
 #include <string>
 
 #include "runtime/life/season_result.h"
+#include "runtime/life/simulated.h"
 
 namespace plsc {
 

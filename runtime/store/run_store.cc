@@ -13,6 +13,7 @@
 #include <system_error>
 #include <utility>
 
+#include "runtime/life/simulated.h"
 #include "runtime/store/companions.h"
 #include "runtime/store/create.h"
 #include "runtime/store/database.h"

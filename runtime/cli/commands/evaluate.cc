@@ -14,6 +14,7 @@
 #include "runtime/cli/files/load_yaml.h"
 #include "runtime/cli/running/interrupt.h"
 #include "runtime/evolve/worker_request.h"
+#include "runtime/life/evaluation.h"
 #include "runtime/workers/worker_count.h"
 #include "runtime/workers/worker_pool.h"
 

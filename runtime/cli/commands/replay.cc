@@ -12,6 +12,7 @@
 #include "runtime/cli/files/open_run.h"
 #include "runtime/evolve/generation_evaluator.h"
 #include "runtime/evolve/worker_request.h"
+#include "runtime/life/evaluation.h"
 #include "runtime/store/verify.h"
 #include "runtime/text/json_dump.h"
 #include "runtime/workers/worker_count.h"

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "runtime/life/simulated.h"
 #include "tests/runtime/evolve/fake_run.h"
 #include "tests/runtime/evolve/memory_cache.h"
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "runtime/evolve/evolve.h"
+#include "runtime/life/simulated.h"
 
 namespace plsc::test {
 

@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "runtime/life/simulated.h"
 #include "tests/runtime/evolve/fake_run.h"
 
 namespace plsc {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "runtime/develop/develop.h"
+#include "runtime/life/simulated.h"
 #include "runtime/scenario/scenario_profile.h"
 #include "tests/runtime/develop/compile_text.h"
 

@@ -9,6 +9,8 @@
 #include <numeric>
 #include <sstream>
 
+#include "runtime/life/simulated.h"
+
 namespace plsc::test {
 
 namespace {
