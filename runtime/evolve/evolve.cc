@@ -74,7 +74,7 @@ class Run {
         options_(options),
         planner_(experiment.scenario, options.simulate),
         workers_(MakeWorkers()),
-        judging_(planner_, *workers_, options.caches) {
+        evaluator_(planner_, *workers_, options.caches) {
     if (!options.saved) return;
     result_.generations = options.saved->generations;
     result_.evaluations = options.saved->evaluations;
@@ -84,10 +84,10 @@ class Run {
     Summarise(result_.population);
   }
 
-  RunResult Live() {
+  RunResult Evolve() {
     while (result_.ending == Ending::kFinished &&
            result_.generations < experiment_.generations &&
-           LiveGeneration(result_.generations)) {
+           EvolveGeneration(result_.generations)) {
     }
     // Asked to stop when everything was done already.
     if (result_.ending == Ending::kStopped &&
@@ -96,7 +96,7 @@ class Run {
     if (!result_.population.empty())
       result_.best =
           result_.population[BestOf(result_.population, result_.counts)];
-    result_.counts_of_work = judging_.counts();
+    result_.counts_of_work = evaluator_.counts();
     return std::move(result_);
   }
 
@@ -115,7 +115,7 @@ class Run {
                                       (generation - 1) * experiment_.offspring);
   }
 
-  bool LiveGeneration(int generation) {
+  bool EvolveGeneration(int generation) {
     return generation == 0 ? Begin() : Continue(generation);
   }
 
@@ -126,7 +126,7 @@ class Run {
       if (IsStopped()) return false;
       robots.push_back(CreateFirst(experiment_, next_id_++));
     }
-    if (!Judge(robots)) return false;
+    if (!Evaluate(robots)) return false;
     const std::vector<int> ids = IdsOf(robots);
     std::optional<std::vector<int>> counts = CountsOf(robots);
     if (!counts) return false;
@@ -143,7 +143,7 @@ class Run {
       children.push_back(CreateChild(experiment_, generation, next_id_++,
                                      result_.population, result_.counts));
     }
-    if (!Judge(children)) return false;
+    if (!Evaluate(children)) return false;
     std::vector<Individual> all = std::move(result_.population);
     std::move(children.begin(), children.end(), std::back_inserter(all));
     std::optional<GenerationRecord> record = Select(generation, all);
@@ -209,7 +209,7 @@ class Run {
   }
 
   /// Evaluates all that were not before the run was left.
-  bool Judge(std::vector<Individual>& robots) {
+  bool Evaluate(std::vector<Individual>& robots) {
     for (RunObserver* observer : options_.observers)
       if (auto failure =
               observer->OnBirths(robots, [this] { return IsStopped(); }))
@@ -221,26 +221,26 @@ class Run {
             known != options_.saved->evaluated.end())
           robot.evaluation = known->second;
     if (result_.population.empty()) Summarise(robots);
-    judging_.Begin(robots);
-    while (judging_.outstanding() > 0) {
-      if (IsStopped()) judging_.Cancel();
-      const std::vector<Verdict> verdicts = judging_.Wait(kPatience);
-      for (const Verdict& verdict : verdicts)
-        if (!Show(verdict, robots)) return false;
-      if (!verdicts.empty()) Tell(robots.front().generation);
-      if (judging_.failure()) return Fail(*judging_.failure());
+    evaluator_.Begin(robots);
+    while (evaluator_.outstanding() > 0) {
+      if (IsStopped()) evaluator_.Cancel();
+      const std::vector<EvaluatedRobot> evaluated = evaluator_.Wait(kPatience);
+      for (const EvaluatedRobot& one : evaluated)
+        if (!Keep(one, robots)) return false;
+      if (!evaluated.empty()) ReportProgress(robots.front().generation);
+      if (evaluator_.failure()) return Fail(*evaluator_.failure());
       if (result_.ending == Ending::kStopped && workers_->outstanding() == 0 &&
-          verdicts.empty())
+          evaluated.empty())
         break;
     }
-    return judging_.outstanding() == 0;
+    return evaluator_.outstanding() == 0;
   }
 
-  bool Show(const Verdict& verdict, std::vector<Individual>& robots) {
-    Individual& robot = robots[verdict.robot];
-    robot.evaluation = verdict.life.evaluation;
+  bool Keep(const EvaluatedRobot& one, std::vector<Individual>& robots) {
+    Individual& robot = robots[one.robot];
+    robot.evaluation = one.life.evaluation;
     for (RunObserver* observer : options_.observers)
-      if (auto failure = observer->OnEvaluated(robot, verdict.life.evidence))
+      if (auto failure = observer->OnEvaluated(robot, one.life.evidence))
         return Fail(std::move(*failure));
     ++result_.evaluations;
     if (result_.population.empty()) summary_.Add(robot.evaluation);
@@ -266,7 +266,7 @@ class Run {
     for (const Individual& robot : robots) summary_.Add(robot.evaluation);
   }
 
-  void Tell(int generation) const {
+  void ReportProgress(int generation) const {
     if (!options_.on_progress) return;
     Progress progress;
     progress.generation = generation;
@@ -274,10 +274,10 @@ class Run {
     progress.total = Evaluations(experiment_);
     progress.workers = workers_->workers();
     progress.busy_workers = workers_->busy();
-    progress.simulations = judging_.counts().simulations;
-    progress.looked_up = judging_.counts().looked_up;
-    progress.simulated_seconds = judging_.counts().simulated_seconds;
-    progress.seasons = summary_.Told();
+    progress.simulations = evaluator_.counts().simulations;
+    progress.looked_up = evaluator_.counts().looked_up;
+    progress.simulated_seconds = evaluator_.counts().simulated_seconds;
+    progress.seasons = summary_.Summaries();
     options_.on_progress(progress);
   }
 
@@ -285,7 +285,7 @@ class Run {
   const EvolveOptions& options_;
   const LifePlanner planner_;
   std::unique_ptr<Workers> workers_;
-  Judging judging_;
+  GenerationEvaluator evaluator_;
   int next_id_ = 1;
   /// Of the population; of those evaluated so far in generation 0.
   SeasonSummary summary_;
@@ -297,7 +297,7 @@ class Run {
 RunResult Evolve(const Experiment& experiment, const EvolveOptions& options) {
   assert(experiment.population >= 2 && experiment.offspring >= 1 &&
          experiment.generations >= 1);
-  return Run(experiment, options).Live();
+  return Run(experiment, options).Evolve();
 }
 
 }  // namespace plsc

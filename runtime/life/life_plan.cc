@@ -30,7 +30,7 @@
 
 #include "runtime/develop/phenotype_json.h"
 #include "runtime/life/evaluation.h"
-#include "runtime/life/season_teller.h"
+#include "runtime/life/season_developer.h"
 #include "runtime/scenario/scenario_yaml.h"
 #include "sim/imu.h"
 #include "sim/simulate.h"
@@ -73,12 +73,13 @@ std::vector<std::string> RobotsFeeling(double inclination,
                                        const Scenario& scenario,
                                        const Senses& inherited) {
   std::vector<std::string> robots;
-  for (SeasonTeller teller(genotype, scenario, inherited); !teller.is_over();) {
-    const bool asks_imu = teller.AsksImu();
+  for (SeasonDeveloper seasons(genotype, scenario, inherited);
+       !seasons.is_over();) {
+    const bool asks_imu = seasons.AsksImu();
     std::optional<double> felt;
     if (asks_imu) felt = inclination;
     robots.push_back((asks_imu ? " felt " : " told ") +
-                     Hex(KeyOfPhenotype(teller.Next(0, felt).robot)));
+                     Hex(KeyOfPhenotype(seasons.Next(0, felt).robot)));
   }
   return robots;
 }
@@ -128,14 +129,14 @@ Key LifePlanner::KeyOfSeason(std::size_t season, bool asks_imu,
 std::vector<LifePiece> LifePlanner::PlanSeasons(const Genotype& genotype,
                                                 const Senses& inherited) const {
   std::vector<LifePiece> pieces;
-  SeasonTeller teller(genotype, scenario_, inherited);
-  for (std::size_t i = 0; !teller.is_over(); ++i) {
-    const bool asks_imu = teller.AsksImu();
-    const Told told =
-        teller.Next(0, asks_imu ? inclinations_[i] : std::nullopt);
-    if (told.robot)
+  SeasonDeveloper seasons(genotype, scenario_, inherited);
+  for (std::size_t i = 0; !seasons.is_over(); ++i) {
+    const bool asks_imu = seasons.AsksImu();
+    const DevelopedSeason developed =
+        seasons.Next(0, asks_imu ? inclinations_[i] : std::nullopt);
+    if (developed.robot)
       pieces.push_back(
-          {i, {KeyOfSeason(i, asks_imu, KeyOfPhenotype(told.robot))}});
+          {i, {KeyOfSeason(i, asks_imu, KeyOfPhenotype(developed.robot))}});
   }
   return pieces;
 }
@@ -167,53 +168,56 @@ std::vector<Simulated> LifePlanner::Simulate(const Genotype& genotype,
       simulated.push_back(SimulatedOf(life.Next().result));
     return simulated;
   }
-  SeasonTeller teller(genotype, scenario_, inherited);
-  Told told;
+  SeasonDeveloper seasons(genotype, scenario_, inherited);
+  DevelopedSeason developed;
   for (std::size_t i = 0; i <= piece.first; ++i)
-    told = teller.Next(0, teller.AsksImu() ? inclinations_[i] : std::nullopt);
-  assert(told.robot);
+    developed =
+        seasons.Next(0, seasons.AsksImu() ? inclinations_[i] : std::nullopt);
+  assert(developed.robot);
   const Season& season = scenario_.seasons[piece.first];
   Simulated one =
-      simulate_ ? simulate_(*told.robot, season)
-                : Judge(plsc::Simulate(*told.robot, season.terrain,
-                                       OptionsFor(scenario_, season)),
-                        scenario_.measured, told.result.body.absolute_size);
-  one.inclination = told.result.inclination;
+      simulate_ ? simulate_(*developed.robot, season)
+                : MeasureSeason(plsc::Simulate(*developed.robot, season.terrain,
+                                               OptionsFor(scenario_, season)),
+                                scenario_.measured,
+                                developed.result.body.absolute_size);
+  one.inclination = developed.result.inclination;
   return {one};
 }
 
-bool LifePlanner::IsTold(const Simulated& simulated) const {
+bool LifePlanner::IsDeveloped(const Simulated& simulated) const {
   if (simulated.outcome == Outcome::kNotReached) return false;
   // Where a continuous life stood is known from its simulation alone.
   return simulated.outcome != Outcome::kWorkerDied || !IsContinuous(scenario_);
 }
 
-JudgedLife LifePlanner::Assemble(
+EvaluatedLife LifePlanner::Assemble(
     const Genotype& genotype, const Senses& inherited,
     const std::vector<std::optional<Simulated>>& simulated) const {
   assert(simulated.size() == scenario_.seasons.size());
-  JudgedLife life;
-  SeasonTeller teller(genotype, scenario_, inherited);
+  EvaluatedLife life;
+  SeasonDeveloper seasons(genotype, scenario_, inherited);
   std::vector<LifePiece> pieces = Plan(genotype, inherited);
   for (std::size_t i = 0; i < simulated.size(); ++i) {
     SeasonEvidence evidence;
     SeasonResult result;
-    if (simulated[i] && !IsTold(*simulated[i])) {
-      result = teller.Skip();
+    if (simulated[i] && !IsDeveloped(*simulated[i])) {
+      result = seasons.Skip();
       result.outcome = simulated[i]->outcome;
       result.reason = simulated[i]->reason;
     } else {
       std::optional<double> felt;
-      if (teller.AsksImu())
+      if (seasons.AsksImu())
         felt = IsContinuous(scenario_) ? simulated[i]->inclination
                                        : inclinations_[i];
-      Told told = teller.Next(simulated[i] ? simulated[i]->begin : 0, felt);
-      result = std::move(told.result);
-      if (told.robot) {
+      DevelopedSeason developed =
+          seasons.Next(simulated[i] ? simulated[i]->begin : 0, felt);
+      result = std::move(developed.result);
+      if (developed.robot) {
         assert(simulated[i]);
         result = Complete(std::move(result), *simulated[i]);
-        evidence.body = BodyJson(told.robot->body);
-        evidence.brain = BrainJson(*told.robot);
+        evidence.body = BodyJson(developed.robot->body);
+        evidence.brain = BrainJson(*developed.robot);
         evidence.phenotype = KeyOfPhenotype(evidence.body, evidence.brain);
       }
     }

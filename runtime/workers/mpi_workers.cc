@@ -155,14 +155,14 @@ bool MpiWorkers::ReceiveAll(std::vector<Reply>& replies) {
   bool is_active = false;
   while (auto message = link_.Receive()) {
     is_active = true;
-    Hear(static_cast<std::size_t>(message->rank), Decode(message->text),
-         replies);
+    Handle(static_cast<std::size_t>(message->rank), Decode(message->text),
+           replies);
   }
   return is_active;
 }
 
-void MpiWorkers::Hear(std::size_t rank, RankWords words,
-                      std::vector<Reply>& replies) {
+void MpiWorkers::Handle(std::size_t rank, RankWords words,
+                        std::vector<Reply>& replies) {
   const int ticket = words.number;
   switch (words.word) {
     case RankWord::kHello:

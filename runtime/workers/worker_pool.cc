@@ -153,8 +153,8 @@ std::vector<Reply> WorkerPool::Wait(int timeout_ms) {
     if (has_events && events[i] != 0)
       reply = Attend(workers_[i], events[i]);
     else if (Hangs(workers_[i], waited))
-      reply = Bury(workers_[i],
-                   fmt::format("no answer for {:g} s", options_.hang_seconds));
+      reply = Replace(workers_[i], fmt::format("no answer for {:g} s",
+                                               options_.hang_seconds));
     if (reply) replies.push_back(std::move(*reply));
   }
   // Those that could not be replaced.
@@ -192,8 +192,8 @@ std::optional<Reply> WorkerPool::Attend(Worker& worker, short events) {
     return TakeReply(worker, std::move(*answer));
   // Also one that answers without being asked.
   if (worker.reader.is_broken() || !worker.request)
-    return Bury(worker, is_open ? "an answer that is none" : "");
-  return is_open ? std::nullopt : Bury(worker, "");
+    return Replace(worker, is_open ? "an answer that is none" : "");
+  return is_open ? std::nullopt : Replace(worker, "");
 }
 
 Reply WorkerPool::TakeReply(Worker& worker, std::string answer) {
@@ -219,8 +219,8 @@ bool WorkerPool::Hangs(Worker& worker, double waited) const {
 
 /// Replaces a worker that died, or that must for `cause`. What it worked on is
 /// begun again, once.
-std::optional<Reply> WorkerPool::Bury(Worker& worker,
-                                      const std::string& cause) {
+std::optional<Reply> WorkerPool::Replace(Worker& worker,
+                                         const std::string& cause) {
   const std::string end = EndWorker(worker.process);
   std::optional<Reply> reply;
   if (worker.request && ++worker.request->deaths >= kMaxDeaths)

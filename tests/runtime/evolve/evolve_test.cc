@@ -156,7 +156,7 @@ TEST_CASE("Evaluations are what the seasons tell", "[evolve]") {
       simulated[piece.first] = planner.Simulate(one.genotype, {}, piece)[0];
       CHECK(seen.evidence[i][piece.first].simulation == piece.keys[0]);
     }
-    const JudgedLife life = planner.Assemble(one.genotype, {}, simulated);
+    const EvaluatedLife life = planner.Assemble(one.genotype, {}, simulated);
     for (std::size_t k = 0; k < 2; ++k) {
       CHECK(life.evaluation.seasons[k].fitness ==
             one.evaluation.seasons[k].fitness);

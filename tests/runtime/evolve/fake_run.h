@@ -1,6 +1,6 @@
 #pragma once
 
-// What tests of whole runs share: a small experiment whose robots are judged
+// What tests of whole runs share: a small experiment whose robots are evaluated
 // by a look at the phenotype instead of by physics, and an observer that keeps
 // all it sees.
 
