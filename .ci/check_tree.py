@@ -57,7 +57,10 @@ DOORS = {
     r"xxhash\.h": r"runtime/text/key\.cc",
     r"Rmath\.h": r"runtime/report/wilcoxon\.cc",
     r"mpi\.h": r"runtime/workers/mpi_[a-z_]*\.cc",
+    r"charconv": r"grammar/number\.cc",
 }
+# What reads numbers with the language of the system, or not all of a text.
+NUMBER_READERS = re.compile(r"\b(strto(d|f|ld|l|ll|ul|ull)|sto(d|f|ld|i|l|ll|ul|ull)|sscanf)\(")
 # The rooms that build alone (preset core): as a page's module, too, which has
 # no threads, files, clocks or processes.
 CORE = """grammar compiler compiler/changes sim runtime/text runtime/authors
@@ -127,7 +130,10 @@ def check_includes(problems):
             if not name.startswith("runtime/package/"):
                 problems.append(f"{name}: stands in no room of ARROWS")
             continue
-        for include in INCLUDE.findall(source.read_text()):
+        text = source.read_text()
+        if found := NUMBER_READERS.search(text):
+            problems.append(f"{name}: {found[0]}) belongs behind grammar/number.h")
+        for include in INCLUDE.findall(text):
             if folder in CORE and NOT_IN_CORE.match(include):
                 problems.append(f"{name}: <{include}> is not in a core room")
             target = folder_of(include)
