@@ -161,6 +161,9 @@ class Writer {
     return static_cast<int>(AlphabetOf(part).Find(file_.Text(head)).value());
   }
 
+  // Rules, environments and tests are set apart from what is before them, and
+  // each rule and test from the next unless it is compact; elsewhere the
+  // writer's blank lines stay.
   bool WantsBlank(const Part& last, const Part& part) const {
     const int kind = RankInSection(part).first;
     const int last_kind = RankInSection(last).first;
@@ -249,6 +252,8 @@ class Writer {
     return false;
   }
 
+  // An element goes on the line of the one before it in compact rules only, and
+  // as long as no comment, paragraph, group or width asks for a new line.
   std::size_t WriteElements(const Part& part, const ItemText& item,
                             std::size_t next, bool has_inner) {
     const bool is_rule = part.item->kind == ast::ItemKind::kRule;
