@@ -21,8 +21,8 @@
 #include "compiler/check_tests.h"
 #include "compiler/limits.h"
 #include "compiler/lower.h"
-#include "compiler/print.h"
 #include "compiler/truth.h"
+#include "grammar/number.h"
 
 namespace plsc {
 

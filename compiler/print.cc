@@ -8,32 +8,18 @@
 #include "compiler/print.h"
 
 #include <array>
-#include <cassert>
-#include <charconv>
 #include <cmath>
 #include <string_view>
 
 #include "compiler/item_text.h"
+#include "grammar/number.h"
 
 namespace plsc {
 
 namespace {
 
-void AppendNumber(double value, std::string* text) {
-  // Shortest forms have at most 24 characters ("-2.2250738585072014e-308").
-  std::array<char, 32> buffer;
-  const auto [end, error] =
-      std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
-  assert(error == std::errc());
-  text->append(buffer.data(), end);
-}
-
 void AppendInt(std::int64_t value, std::string* text) {
-  std::array<char, 24> buffer;
-  const auto [end, error] =
-      std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
-  assert(error == std::errc());
-  text->append(buffer.data(), end);
+  *text += std::to_string(value);
 }
 
 // Of an integer parameter: the shortest double may need an exponent (1e+15),
@@ -324,12 +310,6 @@ std::string PrintEnvironment(const Environment& environment,
                              const std::vector<State>& states) {
   std::string text;
   AppendEntries(environment, states, false, &text);
-  return text;
-}
-
-std::string PrintNumber(double value) {
-  std::string text;
-  AppendNumber(value, &text);
   return text;
 }
 

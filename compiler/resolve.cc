@@ -20,7 +20,7 @@
 
 #include "compiler/foreign_names.h"
 #include "compiler/limits.h"
-#include "compiler/print.h"
+#include "grammar/number.h"
 #include "grammar/number_error.h"
 #include "grammar/suggest.h"
 

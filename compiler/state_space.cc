@@ -23,7 +23,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "compiler/print.h"
+#include "grammar/number.h"
 
 namespace plsc {
 

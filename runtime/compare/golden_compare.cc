@@ -13,7 +13,7 @@
 #include <cmath>
 #include <map>
 
-#include "compiler/print.h"
+#include "grammar/number.h"
 #include "runtime/compare/robot_parts.h"
 
 namespace plsc {

@@ -13,6 +13,7 @@
 // logarithm.
 
 #include "runtime/compare/robot_parts.h"
+#include "grammar/number.h"
 
 #include <fmt/format.h>
 
@@ -21,8 +22,6 @@
 #include <string>
 #include <string_view>
 #include <utility>
-
-#include "compiler/print.h"
 
 namespace plsc {
 

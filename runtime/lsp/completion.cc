@@ -9,7 +9,7 @@
 #include <unordered_set>
 #include <utility>
 
-#include "compiler/print.h"
+#include "grammar/number.h"
 #include "runtime/lsp/chosen_environment.h"
 #include "runtime/lsp/completion_context.h"
 #include "runtime/lsp/descriptions.h"

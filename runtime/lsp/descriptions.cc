@@ -10,6 +10,7 @@
 #include "compiler/print.h"
 #include "compiler/state_space.h"
 #include "compiler/truth.h"
+#include "grammar/number.h"
 
 namespace plsc::lsp {
 

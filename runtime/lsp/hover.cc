@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "compiler/lower.h"
-#include "compiler/print.h"
 #include "grammar/keywords.h"
+#include "grammar/number.h"
 #include "runtime/lsp/chosen_environment.h"
 #include "runtime/lsp/descriptions.h"
 #include "runtime/lsp/keyword_docs.h"

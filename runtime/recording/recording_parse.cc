@@ -3,13 +3,13 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <span>
 #include <utility>
 
 #include "grammar/enum_names.h"
+#include "grammar/number.h"
 #include "runtime/recording/recording_json.h"
 #include "runtime/recording/track.h"
 #include "runtime/scenario/scenario_terrain.h"
@@ -77,15 +77,13 @@ std::optional<double> ReadOptional(JsonReader& reader, const JsonValue& object,
 
 std::uint64_t ReadSeed(JsonReader& reader, const JsonValue& object) {
   const std::string text = reader.Text(object, "seed");
-  std::uint64_t seed = 0;
-  const char* end = text.data() + text.size();
-  const auto [last, error] = std::from_chars(text.data(), end, seed);
-  if (error != std::errc{} || last != end)
+  const auto seed = ParseNumber<std::uint64_t>(text);
+  if (!seed)
     reader.Error(object, "P5103",
                  fmt::format("expected a whole number as text for 'seed', "
                              "found '{}'",
                              text));
-  return seed;
+  return seed.value_or(0);
 }
 
 std::span<const std::string_view> TerrainKeys(TerrainType type) {

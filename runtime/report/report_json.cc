@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "grammar/number.h"
 #include "runtime/develop/environment_json.h"
 #include "runtime/report/comparison.h"
 #include "runtime/report/experiment_difference.h"
@@ -29,7 +30,7 @@ constexpr std::size_t kMostClauses = 40;
 /// With six digits; null for what is no number.
 Json Number(double value) {
   if (!std::isfinite(value)) return nullptr;
-  return std::strtod(fmt::format("{:.6g}", value).c_str(), nullptr);
+  return *ParseNumber<double>(fmt::format("{:.6g}", value));
 }
 
 Json Number(const std::optional<double>& value) {

@@ -7,11 +7,11 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <numbers>
 #include <set>
 
 #include "grammar/enum_names.h"
+#include "grammar/number.h"
 #include "grammar/suggest.h"
 #include "runtime/scenario/scenario_physics.h"
 #include "runtime/scenario/scenario_profile.h"
@@ -223,10 +223,9 @@ void CheckLengths(YamlMap& map, const Scenario& scenario) {
 std::string PrintSenses(const std::map<std::string, std::string>& senses) {
   std::vector<std::string> items;
   for (const auto& [name, value] : senses) {
-    double number = 0;
-    const char* end = value.data() + value.size();
-    const auto [stop, failure] = std::from_chars(value.data(), end, number);
-    const bool is_number = failure == std::errc{} && stop == end;
+    const LeadingNumber<double> number = ReadNumber<double>(value);
+    const bool is_number = number.kind == LeadingNumber<double>::Kind::kFits &&
+                           number.length == value.size();
     // Values of bool states are YAML's, too.
     const bool is_bare = is_number || value == "True" || value == "False";
     items.push_back(fmt::format("{}: {}", PrintYamlText(name),

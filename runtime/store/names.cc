@@ -1,9 +1,9 @@
 #include "runtime/store/names.h"
 
-#include <charconv>
 #include <nlohmann/json.hpp>
 
 #include "grammar/enum_names.h"
+#include "grammar/number.h"
 #include "runtime/text/json_dump.h"
 
 namespace plsc {
@@ -36,13 +36,8 @@ std::optional<std::vector<std::string>> TextsOf(const std::string& text) {
 
 std::optional<std::uint64_t> WordOfHex(std::string_view digits) {
   constexpr std::size_t kDigits = 16;
-  constexpr int kBase = 16;
   if (digits.size() != kDigits) return std::nullopt;
-  std::uint64_t word = 0;
-  const char* end = digits.data() + digits.size();
-  const auto [stop, error] = std::from_chars(digits.data(), end, word, kBase);
-  if (error != std::errc{} || stop != end) return std::nullopt;
-  return word;
+  return ParseHex(digits);
 }
 
 std::optional<Key> KeyOfHex(std::string_view digits) {
