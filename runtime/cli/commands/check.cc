@@ -3,7 +3,7 @@
 #include <ostream>
 
 #include "grammar/shown_line.h"
-#include "runtime/cli/arguments/command.h"
+#include "runtime/cli/arguments/texts.h"
 #include "runtime/cli/commands/check_file.h"
 #include "runtime/cli/diagnostics/diagnostic_json.h"
 #include "runtime/cli/diagnostics/github_annotation.h"

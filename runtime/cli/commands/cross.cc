@@ -5,7 +5,7 @@
 
 #include "compiler/verify.h"
 #include "grammar/shown_line.h"
-#include "runtime/cli/arguments/command.h"
+#include "runtime/cli/arguments/genotypes.h"
 #include "runtime/cli/commands/offspring.h"
 #include "runtime/cli/files/load_program.h"
 #include "runtime/cli/files/load_yaml.h"

@@ -8,7 +8,7 @@
 #include "compiler/compile.h"
 #include "compiler/environment_text.h"
 #include "grammar/shown_line.h"
-#include "runtime/cli/arguments/command.h"
+#include "runtime/cli/arguments/git.h"
 #include "runtime/cli/files/load_program.h"
 #include "runtime/compare/difference_json.h"
 #include "runtime/compare/difference_text.h"

@@ -10,7 +10,7 @@
 #include <system_error>
 #include <utility>
 
-#include "runtime/cli/arguments/command.h"
+#include "runtime/cli/arguments/exports.h"
 #include "runtime/cli/commands/export_robot.h"
 #include "runtime/cli/files/open_run.h"
 #include "runtime/cli/files/output_path.h"

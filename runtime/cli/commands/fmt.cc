@@ -4,7 +4,7 @@
 
 #include "compiler/format.h"
 #include "grammar/shown_line.h"
-#include "runtime/cli/arguments/command.h"
+#include "runtime/cli/arguments/texts.h"
 #include "runtime/text/unified_diff.h"
 
 namespace plsc::cli {

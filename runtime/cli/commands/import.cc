@@ -10,7 +10,7 @@
 #include "grammar/keywords.h"
 #include "grammar/shown_line.h"
 #include "runtime/authors/genotype.h"
-#include "runtime/cli/arguments/command.h"
+#include "runtime/cli/arguments/genotypes.h"
 #include "runtime/cli/files/output_path.h"
 
 namespace plsc::cli {

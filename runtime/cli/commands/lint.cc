@@ -7,7 +7,7 @@
 #include <ostream>
 #include <vector>
 
-#include "runtime/cli/arguments/command.h"
+#include "runtime/cli/arguments/texts.h"
 #include "runtime/cli/diagnostics/diagnostic_json.h"
 
 namespace plsc::cli {

@@ -9,7 +9,7 @@
 #include "compiler/changes/merge_program.h"
 #include "compiler/compile.h"
 #include "grammar/shown_line.h"
-#include "runtime/cli/arguments/command.h"
+#include "runtime/cli/arguments/git.h"
 #include "runtime/cli/files/output_path.h"
 
 namespace plsc::cli {

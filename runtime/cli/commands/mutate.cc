@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "compiler/print.h"
-#include "runtime/cli/arguments/command.h"
+#include "runtime/cli/arguments/genotypes.h"
 #include "runtime/cli/commands/offspring.h"
 #include "runtime/cli/files/load_program.h"
 #include "runtime/cli/files/load_yaml.h"

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "compiler/program.h"
-#include "runtime/cli/arguments/command.h"
+#include "runtime/cli/arguments/output_format.h"
 #include "runtime/cli/files/io.h"
 #include "runtime/cli/files/output_path.h"
 

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 
-#include "runtime/cli/arguments/command.h"
+#include "runtime/cli/arguments/genotypes.h"
 #include "runtime/cli/files/load_program.h"
 #include "runtime/cli/files/load_yaml.h"
 #include "runtime/cli/files/output_path.h"
