@@ -1,3 +1,10 @@
+// Facts are compared one kind after the other, from causes to effects: what was
+// sensed, which rules were active, the string, then the robot. A person reads
+// the first line and mostly knows. Strings are shown where they part and join
+// again; of a string that was cut and hashed the end is not known, so it is not
+// compared from behind. All is exact but descriptors, which go through exp and
+// may differ in last bits from machine to machine.
+
 #include "runtime/compare/golden_compare.h"
 
 #include <fmt/format.h>
@@ -14,12 +21,12 @@ namespace plsc {
 namespace {
 
 // Symbols shown on each side where two strings differ.
-constexpr std::size_t kShownSymbols = 6;
+constexpr std::size_t kExcerptSymbols = 6;
 
-std::string Shown(const std::vector<std::string>& symbols, std::size_t begin,
-                  std::size_t end) {
+std::string Excerpt(const std::vector<std::string>& symbols, std::size_t begin,
+                    std::size_t end) {
   if (begin == end) return "nothing";
-  const std::size_t last = std::min(end, begin + kShownSymbols);
+  const std::size_t last = std::min(end, begin + kExcerptSymbols);
   std::string text = fmt::format(
       "{}",
       fmt::join(symbols.begin() + static_cast<std::ptrdiff_t>(begin),
@@ -45,7 +52,7 @@ void CompareSymbols(const GoldenString& expected, const GoldenString& found,
   if (begin == e.size() - end && begin == f.size() - end) return;
   differences.push_back(
       {DifferenceKind::kChanged, fmt::format("string at symbol {}", begin + 1),
-       Shown(e, begin, e.size() - end), Shown(f, begin, f.size() - end)});
+       Excerpt(e, begin, e.size() - end), Excerpt(f, begin, f.size() - end)});
 }
 
 void CompareStrings(const GoldenString& expected, const GoldenString& found,

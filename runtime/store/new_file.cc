@@ -1,3 +1,10 @@
+// A file without a name until it is whole: O_TMPFILE where the file system has
+// it, and a neighbour with a name of its own elsewhere. It is flushed to the
+// disk before it gets its name, else a power cut could leave the name with half
+// of the bytes. A link, unlike a renaming, replaces nothing, so of two
+// processes that make the same file one wins and the other is told; Replace
+// renames over what is there, in one step.
+
 #include "runtime/store/new_file.h"
 
 #include <fcntl.h>
@@ -66,7 +73,7 @@ void NewFile::OpenNamed() {
   neighbour_.clear();
 }
 
-NewFile::Failure NewFile::Tell() const {
+NewFile::Failure NewFile::failure() const {
   if (error_ == 0) return std::nullopt;
   return fmt::format("cannot write to '{}': {}", path_, ReasonOf(error_));
 }
@@ -74,7 +81,7 @@ NewFile::Failure NewFile::Tell() const {
 NewFile::Failure NewFile::Write(std::string_view text) {
   pending_ += text;
   if (pending_.size() >= kBuffer) Flush();
-  return Tell();
+  return failure();
 }
 
 void NewFile::Flush() {
@@ -114,7 +121,7 @@ NewFile::Failure NewFile::Publish() {
   if (error_ == 0) Link(path_);
   if (error_ == 0 && !neighbour_.empty())
     unlink(std::exchange(neighbour_, "").c_str());
-  return Tell();
+  return failure();
 }
 
 NewFile::Failure NewFile::Replace() {
@@ -128,7 +135,7 @@ NewFile::Failure NewFile::Replace() {
   if (error_ == 0 && std::rename(neighbour_.c_str(), path_.c_str()) != 0)
     error_ = errno;
   if (error_ == 0) neighbour_.clear();
-  return Tell();
+  return failure();
 }
 
 }  // namespace plsc
