@@ -3,7 +3,6 @@
 // What `plsc mutate` and `plsc cross` hand out: genotypes as one file, or one
 // JSON object a line, and a line to people about each.
 
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -20,8 +19,8 @@ std::string JoinGenotypes(const std::vector<std::string>& texts);
 
 struct OneChild {
   Program program;
-  std::string told;             ///< "deleted a symbol of rule 3 (B)"
-  nlohmann::ordered_json what;  ///< the same for scripts
+  std::string told;  ///< "deleted a symbol of rule 3 (B)"
+  std::string what;  ///< the same for scripts: a JSON object
 };
 
 /// What of Output::kind is written in that format.

@@ -118,12 +118,8 @@ bool Deliver(const TrimCommand& command, const Source& source,
         command.output.empty() && command.format == OutputFormat::kJson;
     return is_told || WriteOutput(OutputOf(command), trimmed.text, io);
   }
-  if (trimmed.text == source.text()) return true;
-  const auto failure = WriteFile(source.name(), trimmed.text);
-  if (failure)
-    io.err << fmt::format("error: cannot write '{}': {}\n",
-                          Escaped(source.name()), *failure);
-  return !failure;
+  return trimmed.text == source.text() ||
+         WriteOrReport(source.name(), trimmed.text, io);
 }
 
 }  // namespace

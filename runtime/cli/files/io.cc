@@ -12,7 +12,9 @@
 #include <istream>
 #include <iterator>
 #include <ostream>
+#include <utility>
 
+#include "grammar/shown_line.h"
 #include "runtime/cli/files/pipe_errors.h"
 
 namespace plsc::cli {
@@ -113,6 +115,18 @@ Result<Source> ReadSource(const std::string& path, Io& io) {
   return ReadWhole(path, file.get());
 }
 
+std::optional<Source> ReadOrReport(const std::string& path, Io& io) {
+  Result<Source> source = ReadSource(path, io);
+  if (source) return std::move(*source);
+  ReportUnreadable(source.diagnostics()[0], io);
+  return std::nullopt;
+}
+
+void ReportUnreadable(const Diagnostic& problem, Io& io) {
+  io.err << fmt::format("error[{}]: {}\n", problem.code,
+                        Escaped(problem.message));
+}
+
 bool IsDescriptor(const std::string& path) {
   return path == "/dev/stdout" || path == "/dev/stderr" ||
          path.starts_with("/dev/fd/") || path.starts_with("/proc/self/fd/");
@@ -169,6 +183,14 @@ std::optional<std::string> WriteFile(const std::string& path,
   if (error == 0) error = errno;
   ::unlink(neighbour.c_str());
   return std::strerror(error);
+}
+
+bool WriteOrReport(const std::string& path, std::string_view text, Io& io) {
+  const auto failure = WriteFile(path, text);
+  if (failure)
+    io.err << fmt::format("error: cannot write '{}': {}\n", Escaped(path),
+                          Escaped(*failure));
+  return !failure;
 }
 
 void Report(const std::vector<Diagnostic>& diagnostics, const Source& source,

@@ -48,6 +48,12 @@ bool WantsColor(bool is_terminal, const char* no_color);
 /// system's reason; files over 16 MiB are refused (a genotype has kilobytes).
 Result<Source> ReadSource(const std::string& path, Io& io);
 
+/// The same for who goes no further without it: prints what is wrong.
+std::optional<Source> ReadOrReport(const std::string& path, Io& io);
+
+/// What ReadSource found wrong. There is no line to show.
+void ReportUnreadable(const Diagnostic& problem, Io& io);
+
 /// Whether the path is a descriptor of this process under a name, as
 /// /dev/stdout.
 bool IsDescriptor(const std::string& path);
@@ -58,6 +64,9 @@ bool IsDescriptor(const std::string& path);
 /// is WriteOutput (output_path.h), which all outputs take.
 std::optional<std::string> WriteFile(const std::string& path,
                                      std::string_view text);
+
+/// The same, printing why. Whether it is written.
+bool WriteOrReport(const std::string& path, std::string_view text, Io& io);
 
 /// How WriteFile does it, for files that are written in pieces: into what is
 /// there, or as a neighbour of that name, which takes the name of the file. The
