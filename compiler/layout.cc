@@ -101,6 +101,8 @@ class Writer {
                                       : part.span.begin;
       // What follows the version line is set apart anyway.
       part.is_blank_before = i > 1 && IsBlankBetween(last_end, begin);
+      // All that begin before its end are its own, before it or inside it; and
+      // one more behind it, if it is on the same line.
       while (HasComment(next, part.span.end)) ++next;
       last_end = part.span.end;
       const auto limit = i + 1 < parts.size()
@@ -286,6 +288,7 @@ class Writer {
       const std::size_t before = next;
       next = WriteTrailing(next, element.span.end,
                            is_last ? close : item.elements[i + 1].span.begin);
+      // Behind a comment nothing can go on; it ends with its line.
       const bool may_go_on =
           is_compact_ && is_rule && next == before && !EndsGroup(part, i);
       if (!may_go_on) end_line();

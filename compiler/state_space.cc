@@ -111,6 +111,7 @@ std::vector<ValueClass> RealClasses(const State& state,
 std::vector<ValueClass> NamedClasses(std::size_t count,
                                      const std::vector<Cut>& cuts) {
   std::vector<bool> is_named(count);
+  // A term of such a state compares with the number of a value.
   for (const Cut& cut : cuts) is_named[static_cast<std::size_t>(cut.at)] = true;
   std::vector<ValueClass> classes;
   std::optional<std::size_t> rest;
@@ -202,6 +203,7 @@ StateSpace::StateSpace(std::span<const Clause* const> clauses,
     classes_.push_back(
         ClassesOf(states[static_cast<std::size_t>(id)], std::move(cuts)));
     size *= classes_.back().size();
+    // Without a size there are no strides either, and nobody may ask for one.
     if (size > kMaxCombinations) return;
   }
   strides_.resize(ids_.size());

@@ -150,6 +150,8 @@ class Trimmer {
       if (Try(window)) {
         present.erase(present.begin() + static_cast<std::ptrdiff_t>(begin),
                       present.begin() + static_cast<std::ptrdiff_t>(end));
+        // Windows that reach over the gap have pieces together that were not
+        // neighbours before: they are tried again.
         end = std::min(begin + (size - step), present.size());
         if (begin == 0) end = 0;
       } else {

@@ -220,7 +220,7 @@ void RunWriter::AddIndividual(const Individual& one) {
       if (!find.With(key...).Next()) return std::int64_t{0};
     }
     const std::int64_t id = find.TakeInteger();
-    find.Run();
+    find.Run();  // to its end, or the query stays open
     return id;
   };
   const Heritage& heritage = one.heritage;
