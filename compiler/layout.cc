@@ -161,6 +161,8 @@ class Writer {
     return static_cast<int>(AlphabetOf(part).Find(file_.Text(head)).value());
   }
 
+  // Kinds are set apart, and so are rules, environments and tests as Print does
+  // it; between items of one kind in the header the writer's blank lines stay.
   bool WantsBlank(const Part& last, const Part& part) const {
     const int kind = RankInSection(part).first;
     const int last_kind = RankInSection(last).first;
@@ -249,6 +251,8 @@ class Writer {
     return false;
   }
 
+  // An element goes on the line of the one before it in compact rules only, and
+  // as long as no comment, paragraph, group or width asks for a new line.
   std::size_t WriteElements(const Part& part, const ItemText& item,
                             std::size_t next, bool has_inner) {
     const bool is_rule = part.item->kind == ast::ItemKind::kRule;

@@ -52,7 +52,8 @@ Cut CutOf(const Term& term) {
   return {term.value, true, true};
 }
 
-// The cuts within the state's range, one a threshold, in order.
+// The cuts within the state's range, one a threshold, in order. Thresholds
+// outside of it tell nothing apart that can be sensed.
 std::vector<Cut> CutsOf(const State& state, std::vector<Cut> cuts) {
   std::erase_if(cuts, [&](const Cut& cut) {
     return cut.at < state.low || cut.at > state.high;
@@ -215,6 +216,7 @@ StateSpace::StateSpace(std::span<const Clause* const> clauses,
   size_ = static_cast<int>(size);
 }
 
+// The digits of `index` are the classes, the lowest that of the last state.
 std::vector<double> StateSpace::At(int index) const {
   std::vector<double> values = first_;
   for (std::size_t i = 0; i < ids_.size(); ++i)
