@@ -6,6 +6,7 @@
 #include "compiler/apply_fixes.h"
 #include "grammar/shown_line.h"
 #include "runtime/cli/arguments/texts.h"
+#include "runtime/cli/files/output_file.h"
 #include "runtime/text/unified_diff.h"
 
 namespace plsc::cli {

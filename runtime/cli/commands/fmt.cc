@@ -5,6 +5,7 @@
 #include "compiler/format.h"
 #include "grammar/shown_line.h"
 #include "runtime/cli/arguments/texts.h"
+#include "runtime/cli/files/output_file.h"
 #include "runtime/text/unified_diff.h"
 
 namespace plsc::cli {

@@ -9,6 +9,7 @@
 #include "compiler/changes/merge_program.h"
 #include "compiler/compile.h"
 #include "runtime/cli/arguments/git.h"
+#include "runtime/cli/files/output_file.h"
 #include "runtime/cli/files/output_path.h"
 
 namespace plsc::cli {

@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "runtime/cli/arguments/robots.h"
+#include "runtime/cli/files/output_file.h"
 #include "runtime/cli/files/output_path.h"
 #include "runtime/cli/testing/file.h"
 #include "runtime/cli/testing/files.h"

@@ -10,6 +10,7 @@
 #include "runtime/cli/arguments/genotypes.h"
 #include "runtime/cli/files/load_program.h"
 #include "runtime/cli/files/load_yaml.h"
+#include "runtime/cli/files/output_file.h"
 #include "runtime/cli/files/output_path.h"
 #include "runtime/cli/robots/recorded_life.h"
 #include "runtime/life/season_environments.h"

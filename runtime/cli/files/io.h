@@ -54,27 +54,6 @@ std::optional<Source> ReadOrReport(const std::string& path, Io& io);
 /// What ReadSource found wrong. There is no line to show.
 void ReportUnreadable(const Diagnostic& problem, Io& io);
 
-/// Whether the path is a descriptor of this process under a name, as
-/// /dev/stdout.
-bool IsDescriptor(const std::string& path);
-
-/// Replaces `path` as a whole or not at all: writes a neighbour file, flushes
-/// it to the disk and renames it. A pipe or a device is written into. The
-/// reason when that fails. Whether the file may be replaced is not asked: that
-/// is WriteOutput (output_path.h), which all outputs take.
-std::optional<std::string> WriteFile(const std::string& path,
-                                     std::string_view text);
-
-/// The same, printing why. Whether it is written.
-bool WriteOrReport(const std::string& path, std::string_view text, Io& io);
-
-/// How WriteFile does it, for files that are written in pieces: into what is
-/// there, or as a neighbour of that name, which takes the name of the file. The
-/// file is the real one, behind symbolic links.
-bool IsWrittenInto(const std::string& path);
-std::string NeighbourOf(const std::string& real_path);
-std::string RealPath(const std::string& path);
-
 /// Prints diagnostics to io.err.
 void Report(const std::vector<Diagnostic>& diagnostics, const Source& source,
             Io& io);

@@ -22,6 +22,7 @@
 #include "grammar/shown_line.h"
 #include "runtime/cli/files/load_program.h"
 #include "runtime/cli/files/open_run.h"
+#include "runtime/cli/files/output_file.h"
 
 namespace plsc::cli {
 
