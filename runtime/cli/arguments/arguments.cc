@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cassert>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <ostream>
 #include <sstream>
@@ -212,17 +213,18 @@ Command ParseArguments(const std::vector<std::string>& arguments,
                        const Registry& registry) {
   CLI::App app;
   const std::vector<Declared> all = DeclareAll(app, registry);
-  if (auto answer = UnknownCommand(app, arguments)) return Command(*answer);
+  if (auto answer = UnknownCommand(app, arguments))
+    return Command(std::make_unique<Answer>(*answer));
   try {
     app.parse(ForParsing(arguments));
   } catch (const CLI::ParseError& error) {
-    return Command(AnswerTo(app, error));
+    return Command(std::make_unique<Answer>(AnswerTo(app, error)));
   }
   const auto chosen =
       std::find_if(all.begin(), all.end(),
                    [](const Declared& one) { return one.app->parsed(); });
   assert(chosen != all.end());
-  return chosen->command();
+  return chosen->command;
 }
 
 Exit Run(const Answer& answer, Io& io) {

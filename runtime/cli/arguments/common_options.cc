@@ -32,6 +32,15 @@ void AddColor(Options& options, ColorChoice& color) {
                   {"never", ColorChoice::kNever}});
 }
 
+void AddJobs(Options& options, std::optional<int>& jobs, const char* help) {
+  options.Add("--jobs", jobs, help).Range(0, 1024).ValueName("N");
+}
+
+void AddRobot(Options& options, std::string& individual) {
+  options.Add("ROBOT", individual, "which robot of the run: a number, or best")
+      .ValueName("ROBOT");
+}
+
 void AddAllowRange(Options& options, bool& allow_range) {
   options.Flag("--allow-range", allow_range,
                "arguments outside their range are warnings, not errors");

@@ -1,5 +1,6 @@
 #include "runtime/cli/arguments/evaluate.h"
 
+#include "runtime/cli/arguments/common_options.h"
 #include "runtime/cli/arguments/options.h"
 
 namespace plsc::cli {
@@ -16,12 +17,9 @@ void Add(Options& options, EvaluateCommand& command) {
            "YAML file with the seasons and the physics (default: the "
            "paper's, 50 s Flat then 50 s Tilted by 5 degrees)")
       .ValueName("FILE");
-  options
-      .Add("--jobs", command.jobs,
-           "worker processes (0 and default: one a core that may be "
-           "used); changes no answer")
-      .Range(0, 1024)
-      .ValueName("N");
+  AddJobs(options, command.jobs,
+          "worker processes (0 and default: one a core that may be "
+          "used); changes no answer");
   options.Flag("--in-order", command.in_order,
                "answer in the order of the requests instead of as they finish");
   options.Flag("--allow-range", command.allow_range,

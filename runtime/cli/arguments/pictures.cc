@@ -24,10 +24,7 @@ void Add(Options& options, DrawCommand& command) {
            "a genotype file (- is standard input), or the store of a "
            "run")
       .Required();
-  options
-      .Add("ROBOT", command.individual,
-           "which robot of the run: a number, or best")
-      .ValueName("ROBOT");
+  AddRobot(options, command.individual);
   options
       .Add("--env", command.environments,
            "what the robot senses: STATE=VALUE,... or the name of an "

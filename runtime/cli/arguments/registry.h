@@ -4,8 +4,8 @@
 // parsing, help, completion scripts, manual pages and the description of the
 // command line all begin with that list, and no other has to be told.
 
-#include <functional>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "runtime/cli/arguments/command.h"
@@ -13,10 +13,10 @@
 
 namespace plsc::cli {
 
-/// A command's place in the parser.
+/// A command's place in the parser, and what is typed, once that is parsed.
 struct Declared {
   const CLI::App* app = nullptr;
-  std::function<Command()> command;  ///< what was typed, once that is parsed
+  Command command;
 };
 
 /// How a command declares itself: a struct for what is typed, and beside it
@@ -25,10 +25,10 @@ using Declare = Declared (*)(CLI::App& parent);
 
 template <typename One>
 Declared DeclareOne(CLI::App& parent) {
-  const auto command = std::make_shared<One>();
+  auto one = std::make_unique<One>();
   Options options(parent);
-  Add(options, *command);
-  return {&options.app(), [command] { return Command(*command); }};
+  Add(options, *one);
+  return {&options.app(), Command(std::move(one))};
 }
 
 using Registry = std::vector<Declare>;

@@ -16,11 +16,6 @@ void AddEnvironments(Options& options, std::vector<std::string>& environments) {
       .ValueName("ENVIRONMENT");
 }
 
-void AddRobot(Options& options, std::string& individual) {
-  options.Add("ROBOT", individual, "which robot of the run: a number, or best")
-      .ValueName("ROBOT");
-}
-
 }  // namespace
 
 void Add(Options& options, DevelopCommand& command) {
@@ -194,12 +189,9 @@ void Add(Options& options, TestCommand& command) {
       .Required();
   options.Flag("--update", command.update,
                "record what was found as expected, where that differs");
-  options
-      .Add("--jobs", command.jobs,
-           "threads (0 and default: one a core that may be used); "
-           "changes no result")
-      .Range(0, 1024)
-      .ValueName("N");
+  AddJobs(options, command.jobs,
+          "threads (0 and default: one a core that may be used); "
+          "changes no result");
   options.Choice("--format", command.format,
                  "text for people (default); json: a test a line; junit: XML "
                  "for CI",

@@ -28,13 +28,10 @@ void AddResuming(Options& options, EvolveCommand& command) {
 }
 
 void AddWorkers(Options& options, EvolveCommand& command) {
-  options
-      .Add("--jobs", command.jobs,
-           "worker processes (0 and default: one a core that may be "
-           "used; under mpirun of each rank, default one); changes no "
-           "result")
-      .Range(0, 1024)
-      .ValueName("N");
+  AddJobs(options, command.jobs,
+          "worker processes (0 and default: one a core that may be "
+          "used; under mpirun of each rank, default one); changes no "
+          "result");
   options
       .Add("--hang-limit", command.hang_limit,
            "seconds without an answer after which a worker is replaced "
@@ -117,12 +114,9 @@ void Add(Options& options, ReplayCommand& command) {
   options.Add("ID", command.individuals,
               "numbers of robots, or best (default: best)");
   options.Flag("--all", command.all, "every robot that was evaluated");
-  options
-      .Add("--jobs", command.jobs,
-           "worker processes (0 and default: one a core that may be "
-           "used)")
-      .Range(0, 1024)
-      .ValueName("N");
+  AddJobs(options, command.jobs,
+          "worker processes (0 and default: one a core that may be "
+          "used)");
   AddFormat(options, command.format, "one object a robot");
   options.Footer(
       "Robots develop from the stored genotype and live the stored scenario; "

@@ -61,12 +61,9 @@ void Add(Options& options, StudyRunCommand& command) {
       .ValueName("FOLDER")
       .Required();
   AddSlice(options, command.only, command.shard);
-  options
-      .Add("--jobs", command.jobs,
-           "worker processes of a run (0 and default: one a core that "
-           "may be used); changes no result")
-      .Range(0, 1024)
-      .ValueName("N");
+  AddJobs(options, command.jobs,
+          "worker processes of a run (0 and default: one a core that "
+          "may be used); changes no result");
   options
       .Add("--cache", command.cache,
            "look simulations up in this file first and add new ones to "
