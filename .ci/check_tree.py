@@ -55,7 +55,6 @@ DOORS = {
     r"Random123/": r"runtime/vary/rng\.cc",
     r"sqlite3\.h": r"runtime/store/database\.cc",
     r"xxhash\.h": r"runtime/text/key\.cc",
-    r"Rmath\.h": r"runtime/report/wilcoxon\.cc",
     r"mpi\.h": r"runtime/workers/mpi_[a-z_]*\.cc",
 }
 # What is private to another concept: its source's second header.
