@@ -55,6 +55,7 @@ DOORS = {
     r"Random123/": r"runtime/vary/rng\.cc",
     r"sqlite3\.h": r"runtime/store/database\.cc",
     r"xxhash\.h": r"runtime/text/key\.cc",
+    r"(librsvg/|cairo\.h|glib)": r"runtime/cli/files/png\.cc",
     r"mpi\.h": r"runtime/workers/mpi_[a-z_]*\.cc",
 }
 # What is private to another concept: its source's second header.
