@@ -8,6 +8,7 @@ file(GET_RUNTIME_DEPENDENCIES
   CONFLICTING_DEPENDENCIES_PREFIX conflicting)
 find_program(dpkg_query dpkg-query)
 set(packages)
+file(MAKE_DIRECTORY ${prefix}/lib/plsc ${prefix}/${documents}/licenses)
 foreach(library IN LISTS libraries)
   get_filename_component(name ${library} NAME)
   message(STATUS "Bundling: ${library}")
