@@ -1,3 +1,12 @@
+// What is wrong although every name is found. Each check looks at what Resolve
+// could give a number to and passes over the rest, which was reported there.
+// Where an item failed to parse or an entry is wrong, nothing is called
+// missing: it may be just that.
+//
+// Warnings about clauses (CheckClauses) are only made of files without errors,
+// from truth tables (truth). A hostile clause can be expensive to tabulate, so
+// only clauses that could be constant are, and the tables have their own bound.
+
 #include "compiler/check.h"
 
 #include <fmt/format.h>

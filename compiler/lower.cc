@@ -1,3 +1,12 @@
+// From the tree to the IR. Nothing can be wrong here any more, so everything is
+// taken with value() and at(): an empty one is a mistake of ours and ends the
+// process rather than become a robot.
+//
+// Rules are sorted stably by head. Evolution and Print want the rules of a
+// symbol together; among them the order of the file is the order in which
+// active ones are joined, and must stay. MapSource asks for the same order
+// (RuleOrder), so that rule i of the map is rule i of the genotype.
+
 #include "compiler/lower.h"
 
 #include <algorithm>

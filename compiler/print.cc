@@ -1,3 +1,10 @@
+// The canonical text, of which two properties matter. It is complete: every
+// value of the IR is written, so that compiling it gives an equal IR, bit for
+// bit (std::to_chars writes the shortest text that reads back to the same
+// double). And there is one: nothing depends on how the genotype came about.
+// Keys, stores, requests to workers and comparisons are all made of it, so any
+// change here, be it a blank, changes keys and the stores' texts.
+
 #include "compiler/print.h"
 
 #include <array>

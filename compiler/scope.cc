@@ -7,7 +7,7 @@
 // with an empty range is still a state. Otherwise one mistake would be reported
 // again at every use. For the same reason nothing is missed in a file of which
 // an item did not parse (is_incomplete), as that may be the item, and without a
-// known alphabet there is none (nullptr), so that no symbol is judged by a
+// known alphabet there is none (nullptr), so that no symbol is held to a
 // wrong one.
 //
 // Names are found by hashing, and reports end at kMaxReported: linear in the

@@ -52,7 +52,8 @@ Cut CutOf(const Term& term) {
   return {term.value, true, true};
 }
 
-// The cuts within the state's range, one a threshold, in order.
+// The cuts within the state's range, one a threshold, in order. Thresholds
+// outside of it tell nothing apart that can be sensed.
 std::vector<Cut> CutsOf(const State& state, std::vector<Cut> cuts) {
   std::erase_if(cuts, [&](const Cut& cut) {
     return cut.at < state.low || cut.at > state.high;
@@ -111,6 +112,7 @@ std::vector<ValueClass> RealClasses(const State& state,
 std::vector<ValueClass> NamedClasses(std::size_t count,
                                      const std::vector<Cut>& cuts) {
   std::vector<bool> is_named(count);
+  // A term of such a state compares with the number of a value.
   for (const Cut& cut : cuts) is_named[static_cast<std::size_t>(cut.at)] = true;
   std::vector<ValueClass> classes;
   std::optional<std::size_t> rest;
@@ -202,6 +204,7 @@ StateSpace::StateSpace(std::span<const Clause* const> clauses,
     classes_.push_back(
         ClassesOf(states[static_cast<std::size_t>(id)], std::move(cuts)));
     size *= classes_.back().size();
+    // Without a size there are no strides either, and nobody may ask for one.
     if (size > kMaxCombinations) return;
   }
   strides_.resize(ids_.size());
@@ -213,6 +216,7 @@ StateSpace::StateSpace(std::span<const Clause* const> clauses,
   size_ = static_cast<int>(size);
 }
 
+// The digits of `index` are the classes, the lowest that of the last state.
 std::vector<double> StateSpace::At(int index) const {
   std::vector<double> values = first_;
   for (std::size_t i = 0; i < ids_.size(); ++i)

@@ -192,6 +192,7 @@ TruthTable& TruthTable::operator|=(const TruthTable& other) {
   return *this;
 }
 
+// The same pass as in ClauseHolds, on all environments at once.
 TruthTable Tabulate(const Clause& clause, const StateSpace& space) {
   if (clause.terms.empty()) return {*space.size(), true};
   TruthTable all(*space.size(), false);

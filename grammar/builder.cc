@@ -1,3 +1,9 @@
+// Parts of an item are put into the pools of the file while it is matched, and
+// the item itself is added when it is complete: of one that fails unused
+// elements stay in the pools, which nobody refers to. Numbers are read here and
+// held to a double's range; a number of the right kind takes the place of one
+// that does not fit, so that later stages say nothing more about it.
+
 #include "grammar/builder.h"
 
 #include <fmt/format.h>

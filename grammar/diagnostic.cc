@@ -1,3 +1,10 @@
+// One structure rendered for people. Whatever is quoted from a text is bounded
+// in length and made printable, since names may be megabytes and bytes may be
+// escape sequences; of a long line only the part around the place is looked at,
+// so that a thousand reports in one line cost a thousand parts. Diagnostics are
+// sorted by place, stably: of those at one place the stage that ran first comes
+// first.
+
 #include "grammar/diagnostic.h"
 
 #include <fmt/format.h>

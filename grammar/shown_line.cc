@@ -1,3 +1,9 @@
+// Every byte of a user's text may reach a terminal, and some would drive it
+// (escape sequences, a carriage return that hides what stands before, marks
+// that turn the direction of writing). So what is no printable character is
+// shown by its number, and columns are counted as shown, by character: the mark
+// of a message must stand below what it means.
+
 #include "grammar/shown_line.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,9 @@
+// Lines by a table of their beginnings and a binary search; columns are counted
+// in characters, in the line, only when somebody asks. A file may be one line
+// of 16 MB with hundreds of reports in it, each of which would count from the
+// line's beginning: so characters are also counted once a block of 64 KB, and a
+// question counts within a block.
+
 #include "grammar/source.h"
 
 #include <algorithm>

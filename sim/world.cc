@@ -1,3 +1,23 @@
+// ODE, held to what a run needs of it and it does not promise: the same bits
+// for the same robot, whatever else the process did; no memory asked for in a
+// step; and no abort.
+//
+// Same bits: everything that ODE shares between worlds is replaced by the
+// world's own, its threading, and the generator by which the iterative solver
+// shuffles its rows (solver_order). Bodies, hinges and contacts are made in the
+// order of the assembly, since the solver's sums run in the order in which
+// joints were made; to add an object earlier is to change every stored run.
+//
+// No abort: ODE's assertions end the process where a state overflows within a
+// step. Its handlers throw instead, and the world is lost: ODE cannot be taken
+// down in the middle of a step, so what it left is kept until the process ends.
+// After each step the state is looked at (IsSane), because a robot that
+// explodes may do so for many steps before a number overflows, and would be
+// fast until then.
+//
+// A step of the direct solver grows with the cube of a robot's links, so robots
+// of more than max_direct_links get the iterative one.
+
 #include "sim/world.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,9 @@
+// The classical three-way merge of lines: a line that both sides still have is
+// an anchor, and between two anchors each version has a piece. A piece that one
+// side left as it was, or that both have alike, is taken; others are a conflict
+// with all three versions. Only lines that both sides kept are anchors, so a
+// moved line is a deletion and an insertion, as in git.
+
 #include "compiler/changes/merge_lines.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,12 @@
+// The parts of an item, aligned and merged (sequence_merge), and parts that
+// both sides changed merged value by value: one may change a weight and the
+// other a period of the same joint. Costs are chosen so that a name that
+// changed is cheaper than a deletion and an insertion (10 of 24), and a value
+// cheaper than a name: a symbol that was edited is followed, where it stands.
+// If layout and content of a part changed on different sides, the text of the
+// side that changed the content is taken; a text made of both has no place for
+// comments and is then a clash.
+
 #include "compiler/changes/merge_parts.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,13 @@
+// A piece of text is what it says, its comments and its layout. What it says
+// and its comments may each be changed by one side; then the side that changed
+// what it says gives the text, provided that the other side's comments are not
+// lost with it. Layout alone never makes a conflict.
+//
+// Pieces of different files that are put together may run into each other: a
+// word into a word, a comment into what follows. TextJoiner keeps them apart
+// with a blank or a line's end, and only there, so that joining the pieces of
+// one file gives that file.
+
 #include "compiler/changes/merge_text.h"
 
 #include <algorithm>

@@ -84,6 +84,9 @@ class EditMerger {
     if (!ours.empty() && !theirs.empty()) {
       if (!IsSame(ours, theirs)) clash = ClashKind::kBothInserted;
     } else if (IsWithinDeleted(ours.empty() ? ours_ : theirs_, i)) {
+      // The side that inserted nothing deleted what is around it. Beside one
+      // deleted element there is a place for an insertion, between two there is
+      // none.
       clash = ClashKind::kInsertedIntoDeleted;
     }
     for (std::size_t n = 0; n < std::max(ours.size(), theirs.size()); ++n)
@@ -173,6 +176,7 @@ SequenceMerge MergeSequences(const SequenceVersions& versions,
       MergeEdits(versions, our_edits.front(), their_edits.front());
   // What both sides did alike was one thing, however it may be read.
   if (versions.ours == versions.theirs) return first;
+  // No other reading makes it one: a clash is shown as the first reads it.
   if (HasClash(first)) return first;
   const auto is_alike = [&](const MergedElement& a, const MergedElement& b) {
     return ComesTo(versions, a) == ComesTo(versions, b);

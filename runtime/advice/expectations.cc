@@ -1,3 +1,10 @@
+// What a file expects of itself, compared in the order in which it is written,
+// so that the first difference can point at its symbol or module. A body is a
+// tree whose faces may be written in any order; both trees are put into one
+// order of faces and compared as walks. Where two walks part first, the deeper
+// of the two modules, or the one on the earlier face, is the one that the other
+// does not have.
+
 #include "runtime/advice/expectations.h"
 
 #include <fmt/format.h>

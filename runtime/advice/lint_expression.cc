@@ -1,3 +1,21 @@
+// What does nothing anywhere can only be said of all environments, so the
+// genotype is developed once a regime, and each symbol of each rule collects
+// what it came to there: expressed in some, read in some, never read. A warning
+// is about what no regime expressed.
+//
+// Expressed has two senses. A symbol that is rewritten is a call and does its
+// work there; which symbols ever stand in a string that is rewritten is found
+// by following each symbol once (rewriting is free of context), not by looking
+// through strings. A symbol of the final string is expressed if its turtle did
+// something with it, which the trace says.
+//
+// Rules of C are read once a rewriting, from the core if the reading before did
+// not leave it (WatchReadings, by the lengths that growth gives); a symbol that
+// one reading expresses and a later one cannot is in its own way.
+//
+// The strings of all regimes together are bounded by kMaxLintedSymbols, counted
+// before they are derived.
+
 #include "runtime/advice/lint_expression.h"
 
 #include <fmt/format.h>

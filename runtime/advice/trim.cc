@@ -79,7 +79,9 @@ class Trimmer {
   }
 
  private:
-  // Whether the pieces are gone: no robot changes without them.
+  // Whether the pieces are gone: no robot changes without them. A piece may
+  // belong to several genotypes; then it goes from all of them or from none, so
+  // the targets are exchanged only when every one has agreed.
   bool Try(const std::vector<std::size_t>& out) {
     if (work_left_ == 0 || out.empty()) return false;
     std::vector<std::size_t> affected;
@@ -150,6 +152,8 @@ class Trimmer {
       if (Try(window)) {
         present.erase(present.begin() + static_cast<std::ptrdiff_t>(begin),
                       present.begin() + static_cast<std::ptrdiff_t>(end));
+        // Windows that reach over the gap have pieces together that were not
+        // neighbours before: they are tried again.
         end = std::min(begin + (size - step), present.size());
         if (begin == 0) end = 0;
       } else {
@@ -218,7 +222,8 @@ class Trimmer {
     return idle;
   }
 
-  // The pieces of the symbols of `current`, by rule.
+  // The pieces of the symbols of `current`, by rule: its rules and symbols are
+  // those that are kept, in the same order.
   std::vector<std::vector<std::size_t>> CurrentSymbols(std::size_t p) const {
     std::vector<std::vector<std::size_t>> symbols;
     for (const RulePieces& rule : pieces_.of[p]) {

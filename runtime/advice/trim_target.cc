@@ -14,6 +14,10 @@
 // Robots are compared by value and by key, since -0 equals 0 and is another
 // bit. Lengths are counted before strings are derived (growth): they are the
 // measure of the work, and no string beyond its limit is begun.
+//
+// A try costs one development for each set of active rules that was not
+// developed before, over the regimes that must be looked at; `work_` counts it
+// in symbols.
 
 #include "runtime/advice/trim_target.h"
 

@@ -1,3 +1,10 @@
+// Two versions of a genotype can be compared where both can be told what is
+// sensed. Their states are united by name, the clauses of both are moved into
+// that union, and its regimes are the environments to look at, each seen by
+// either version in its own order of states. A state of other values cannot be
+// united; then, or if there are too many environments, only those that both
+// files declare under one name are compared, and the limitation is said.
+
 #include "runtime/compare/environment_pairs.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,9 @@
+// What is remembered is what a person would write down, by names and places and
+// not by indices, so that a golden file can be read, reviewed and merged. Long
+// strings are remembered by their beginning and a hash: a file stays small, and
+// any change shows. Environments are those that the file names; without any,
+// all combinations of finite states, if they are few.
+
 #include "runtime/compare/golden.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,10 @@
+// Facts are compared one kind after the other, from causes to effects: what was
+// sensed, which rules were active, the string, then the robot. A person reads
+// the first line and mostly knows. Strings are shown where they part and join
+// again; of a string that was cut and hashed the end is not known, so it is not
+// compared from behind. All is exact but descriptors, which go through exp and
+// may differ in last bits from machine to machine.
+
 #include "runtime/compare/golden_compare.h"
 
 #include <fmt/format.h>

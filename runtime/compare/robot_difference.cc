@@ -1,3 +1,8 @@
+// Both genotypes are developed in each environment in which the two can be
+// compared (environment_pairs), each set of active rules once, and compared
+// part by part (robot_parts). Environments in which the same changed are told
+// together: a person wants to read a change once.
+
 #include "runtime/compare/robot_difference.h"
 
 #include <algorithm>

@@ -61,6 +61,7 @@ std::uint64_t DerivedLength(const Genotype& genotype,
     std::vector<std::uint64_t> next(counts.size(), 0);
     for (std::size_t symbol = 0; symbol < counts.size(); ++symbol) {
       if (counts[symbol] == 0) continue;
+      // Without active rules a symbol stays.
       if (tallies[symbol].empty())
         next[symbol] = SaturatingAdd(next[symbol], counts[symbol]);
       for (const auto& [successor, times] : tallies[symbol])

@@ -1,3 +1,8 @@
+// Canonical text as much as output: keys of phenotypes are hashes of it, stores
+// keep it, and packing knows its phrases. Keys are in a fixed order, numbers
+// read back to the same double, and children come in the order front, left,
+// right, back. What changes here changes keys and makes old stores unreadable.
+
 #include "runtime/develop/phenotype_json.h"
 
 #include <array>

@@ -1,3 +1,11 @@
+// A clause at a time, in the order of the genotype's rules, which are grouped
+// by head: so the successors of all symbols are appended to one array and only
+// their beginnings are noted. Where several rules of a symbol hold, their
+// productions are joined in that order (paper, "Environmental regulation";
+// authors' program, plasticoding.py:205-236, which joined them inside the
+// genotype: decision 1). Where none holds, the symbol has no successor and
+// stays. Linear in the genotype; the copies are occurrences of eight bytes.
+
 #include "runtime/develop/regulate.h"
 
 #include <cassert>

@@ -1,3 +1,9 @@
+// Keys are read one by one and then held to each other (CheckTogether), but
+// only if each was right by itself: a range that depends on a wrong number
+// would be a second error about the first. Limits are about memory and time and
+// say so. Printing writes every key, in the order of reading, and reads back to
+// an equal experiment, by which runs are known again.
+
 #include "runtime/evolve/experiment.h"
 
 #include <fmt/format.h>

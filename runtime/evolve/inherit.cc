@@ -1,3 +1,9 @@
+// The authors' program joined active rules inside the parent's own genotype,
+// and the last season's were inherited (decision 1). It is an option here,
+// kJoined, and done on a copy: the first active rule of each symbol becomes
+// what Regulate joins of all. Collected first and put in place afterwards,
+// because joined productions may refer to rules that change.
+
 #include "runtime/evolve/inherit.h"
 
 #include <algorithm>

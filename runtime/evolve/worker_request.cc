@@ -1,3 +1,10 @@
+// Requests are text that compiles, not memory: what is simulated is then
+// exactly what a store shows, and a worker may be on another machine. Printing
+// and compiling take some 0.05 ms (decision 2). Answers are frames with every
+// double bit for bit. The limit after which a worker hangs is twenty times what
+// the largest robot of the scenario could take, so that no slow machine ever
+// meets it.
+
 #include "runtime/evolve/worker_request.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,10 @@
+// sim/controller.cc once more, as C99 text. The expressions and the order of
+// additions are those of the simulator, so that outputs are equal bit for bit
+// where the sine is: whoever changes one must change the other, and a test
+// compiles the header and compares. Names begin with the robot's own, as
+// several may be included in one program ('@' in the texts below), and nothing
+// a user wrote can end a comment or a line (InComment).
+
 #include "runtime/exports/controller_header.h"
 
 #include <fmt/format.h>

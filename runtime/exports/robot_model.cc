@@ -1,3 +1,8 @@
+// Names and sensors are given once, here, so that all formats of one robot
+// agree in them: links and joints by the ids of modules, which are the ids of
+// every other output of plsc. Link i + 1 is what hinge i moves, as Assemble has
+// it; formats rely on that (FrameOf).
+
 #include "runtime/exports/robot_model.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,8 @@
+// Everything that the page points at is an index into what it is drawn from:
+// rules and symbols by their spans in the text, insertions by number, parts of
+// the robot by the symbol that made them. So the page itself knows no grammar;
+// what is not linked here cannot be highlighted there.
+
 #include "runtime/history/explain_json.h"
 
 #include <filesystem>

@@ -1,3 +1,8 @@
+// The fitness of a season as the authors' program has it (fitness.py:65-81;
+// paper, "Fitness function"), in m/s. -0.1 is far below what any robot loses by
+// sliding, so that those that cannot move, or do not, come last; going
+// backwards counts a tenth.
+
 #include "runtime/life/season_result.h"
 
 #include <cassert>

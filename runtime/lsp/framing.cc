@@ -1,3 +1,8 @@
+// Headers and bodies from bytes that come in any portions. What was handed out
+// is dropped only when it is most of the memory, else a flood of small messages
+// would move the rest once a message. After a header that cannot be read the
+// next beginning is unknown, so the stream is broken for good.
+
 #include "runtime/lsp/framing.h"
 
 #include <fmt/format.h>

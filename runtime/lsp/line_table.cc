@@ -1,3 +1,10 @@
+// A client counts UTF-16 units in a line, we count bytes. Both ways are one
+// binary search for the line and one for a mark: every kMarkDistance bytes the
+// number of units before it is kept, so that a question counts within half a
+// kilobyte, also in a line of megabytes. Bytes that are no UTF-8 count as a
+// character each, and every place that a client may name is brought inside of
+// the text.
+
 #include "runtime/lsp/line_table.h"
 
 #include <algorithm>

@@ -1,3 +1,9 @@
+// A scanner beside the parser, because colours and completions are wanted while
+// a text does not parse. It reads any bytes, ends always (each piece has a byte
+// at least), and agrees with rules.h about what a word, a number and an
+// operator is; where the two differ an editor shows a wrong colour and nothing
+// worse.
+
 #include "runtime/lsp/tokens.h"
 
 #include <algorithm>

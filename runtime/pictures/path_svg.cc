@@ -1,3 +1,9 @@
+// Seasons side by side at one scale, so that ways can be compared by eye,
+// unless that would make one a speck: then each has its own, as its bar says. A
+// path is drawn as pieces of one tone each from light to dark, which shows its
+// direction without arrows and in print; points closer than a pixel are left
+// out, so that a robot that trembles for an hour is not a megabyte.
+
 #include "runtime/pictures/path_svg.h"
 
 #include <fmt/format.h>

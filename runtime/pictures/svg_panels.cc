@@ -1,3 +1,8 @@
+// Pictures in rows with titles and a legend, laid out without asking any font:
+// nobody knows which one the viewer has, so widths are estimated for a wide one
+// (kLetter) and what is too long is cut. Too much space is the error that is
+// left. Whole pixels everywhere, so that the bytes do not depend on rounding.
+
 #include "runtime/pictures/svg_panels.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,10 @@
+// Read while somebody may be writing. A store with a journal is read in one
+// transaction, of one instant; one without is read as a file that stays as it
+// is, and if it does not, all that was read is thrown away and read anew, now
+// with a journal. Who works on it is asked first: a run that ends in between is
+// then taken for running, which the next look corrects, and never for one that
+// nobody works on.
+
 #include "runtime/report/read_run.h"
 
 #include <fmt/format.h>

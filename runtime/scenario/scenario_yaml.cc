@@ -1,3 +1,8 @@
+// Reading and printing are held to each other: what PrintScenario writes reads
+// back to an equal scenario, with every value written out. Stores, keys and
+// requests depend on it, so a value that is read and not printed is a defect
+// that shows only later, as equal keys of different simulations.
+
 #include "runtime/scenario/scenario_yaml.h"
 
 #include <fmt/format.h>

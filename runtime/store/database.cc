@@ -1,3 +1,21 @@
+// SQLite behind one door, held to what runs ask of it. WAL, so that readers and
+// the writer do not wait for each other; synchronous NORMAL, so that a kill
+// loses nothing and a power cut at most the last transactions, never the file.
+// Files that come from anywhere are read with defensive settings, without
+// trusting what their schema says.
+//
+// A file without a journal is opened as immutable: no lock, no files beside it,
+// also in folders that cannot be written. Whoever reads so must find out by
+// itself that somebody began to write meanwhile (StampOf).
+//
+// SQLite's locks belong to the process and are dropped when it closes any
+// descriptor of the file; hence ConnectedFiles, and hence nobody else here
+// opens a store. In a child of a fork the connection is the parent's: nothing
+// is finalised and nothing closed there.
+//
+// Failures are kept, the first one, and statements after it do nothing. So code
+// reads as if nothing could fail and asks once, at its end.
+
 #include "runtime/store/database.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,14 @@
+// A lock must not outlive its owner: it is the system's, on the open file, and
+// is gone however its owner ends. It is an open file description lock, since
+// the usual POSIX lock is dropped as soon as any part of the process closes the
+// file, which SQLite does. It lies on bytes that SQLite does not use, as many
+// as the number of the process, and so tells who holds it.
+//
+// The file may be replaced between opening and locking it, so afterwards its
+// name is asked again, and the whole is repeated where it means another file.
+// Within a process such a lock stops nobody, so what is held here is kept in a
+// table.
+
 #include "runtime/store/lock.h"
 
 #include <fcntl.h>

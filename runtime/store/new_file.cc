@@ -1,3 +1,10 @@
+// A file without a name until it is whole: O_TMPFILE where the file system has
+// it, and a neighbour with a name of its own elsewhere. It is flushed to the
+// disk before it gets its name, else a power cut could leave the name with half
+// of the bytes. A link, unlike a renaming, replaces nothing, so of two
+// processes that make the same file one wins and the other is told; Replace
+// renames over what is there, in one step.
+
 #include "runtime/store/new_file.h"
 
 #include <fcntl.h>

@@ -53,7 +53,7 @@ std::vector<std::string> Joined(std::vector<std::string> first,
   return first;
 }
 
-// -0 is stored as 0.
+// -0 is stored as 0, so it must not count as another result.
 std::uint64_t BitsOf(double value) {
   return std::bit_cast<std::uint64_t>(value == 0 ? 0 : value);
 }
@@ -220,7 +220,7 @@ void RunWriter::AddIndividual(const Individual& one) {
       if (!find.With(key...).Next()) return std::int64_t{0};
     }
     const std::int64_t id = find.TakeInteger();
-    find.Run();
+    find.Run();  // to its end, or the query stays open
     return id;
   };
   const Heritage& heritage = one.heritage;
@@ -332,6 +332,7 @@ void RunWriter::AddSimulation(const SeasonEvidence& evidence) {
   simulation_.Run();
 }
 
+// All of the pool, not only who survived: how selection went can be seen later.
 RunWriter::Failure RunWriter::Completed(const GenerationRecord& record) {
   Transaction transaction(database_);
   std::map<int, std::int64_t> ranks;

@@ -1,3 +1,12 @@
+// A unit is two factors, one to multiply and one to divide by: 35 cm is 35 /
+// 100 m, to the last bit the double that "0.35 m" is, while 35 * 0.01 is
+// another one. Files written in either way are thereby equal experiments, with
+// equal keys.
+//
+// What is not accepted is guessed at from a table of other names and larger
+// units; a guess is offered only if it would be accepted itself, range
+// included.
+
 #include "runtime/text/quantity.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,20 @@
+// yaml-cpp reads what YAML allows, and that is more than a file of ours may
+// say: keys twice, words for truth that change from version to version, numbers
+// in octal, several documents. So only scalars, maps and lists are taken from
+// it, as texts with places, and what they mean is read here and in quantity and
+// yaml_words, strictly.
+//
+// A map knows the keys that it was asked for; when it is closed, what it has
+// and nobody asked for is unknown, and the nearest key that is asked for and
+// not given is what was meant. That is why every key is asked for, also those
+// whose value is not needed, and why Close comes last.
+//
+// All errors of a file are found in one go: an error gives the default and
+// reading goes on. Values are shared pointers into one document, so that a
+// value may outlive its map. A hostile file can nest references until they fill
+// memory when they are walked; who walks all of a value counts first
+// (CountValues).
+
 #include "runtime/text/yaml_reader.h"
 
 #include <fmt/format.h>

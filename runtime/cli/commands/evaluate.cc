@@ -1,3 +1,9 @@
+// Two things to wait for, lines and answers, in one thread: the pool's wait
+// also ends when a line comes (WakeOn), and lines are taken only while there is
+// room, so that an asker who sends a million genotypes is held up by its own
+// pipe and not by our memory. Every line gets exactly one answer, also one that
+// cannot be read; with --in-order answers wait for those before them.
+
 #include <fmt/format.h>
 
 #include <cassert>

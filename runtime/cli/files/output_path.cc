@@ -1,3 +1,10 @@
+// One rule for what an output may replace (docs/formats.md), asked twice:
+// before the work, so that nobody waits an hour to be told, and again when it
+// is written, as much may have happened since. A file is replaced if plsc made
+// one of this kind before, which its beginning or end shows (output_mark);
+// never what the command itself reads, under whatever name, and never a
+// database.
+
 #include "runtime/cli/files/output_path.h"
 
 #include <fcntl.h>

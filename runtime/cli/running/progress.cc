@@ -1,3 +1,9 @@
+// One line that fits, whatever the terminal: pieces have ranks, and where the
+// line is too long it is first written briefly and then loses its pieces from
+// the least important on. Redrawn at most five times a second; in a file, a
+// line a generation or a minute. Clock and width are handed in, so that tests
+// draw without waiting.
+
 #include "runtime/cli/running/progress.h"
 
 #include <fmt/format.h>

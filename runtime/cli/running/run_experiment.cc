@@ -1,3 +1,13 @@
+// Everything is opened and looked through before anything is made, and what a
+// failing command made is removed again (Discard): a typo must not leave half a
+// store that the next attempt trips over. Caches are asked in the order of
+// nearness: the run's own store, a salvaged one, the shared one.
+//
+// Evolve reads no clock and knows no signal. It asks should_stop some ten times
+// a second, and that is where the progress line ticks and Ctrl-C is noticed.
+// What went wrong at the end, in closing the store, makes a failed run of a
+// finished one: results that are not on the disk are no results.
+
 #include "runtime/cli/running/run_experiment.h"
 
 #include <fmt/chrono.h>
