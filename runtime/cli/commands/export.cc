@@ -15,16 +15,13 @@
 #include "runtime/cli/files/open_run.h"
 #include "runtime/cli/files/output_path.h"
 #include "runtime/cli/files/pipe_errors.h"
+#include "runtime/text/system_reason.h"
 
 namespace plsc::cli {
 
 namespace {
 
 using Failure = std::optional<std::string>;
-
-std::string SystemReason(int error) {
-  return std::error_code(error, std::generic_category()).message();
-}
 
 /// A file that takes its name when it is written to its end; a pipe or a device
 /// is written into. Of the C library, whose functions say why they failed.

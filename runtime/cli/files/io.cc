@@ -14,6 +14,7 @@
 #include <ostream>
 
 #include "runtime/cli/files/pipe_errors.h"
+#include "runtime/text/system_reason.h"
 
 namespace plsc::cli {
 
@@ -45,7 +46,7 @@ Diagnostic Unreadable(std::string code, std::string message) {
 
 Diagnostic CannotRead(const std::string& path, int error) {
   return Unreadable(
-      "P5014", fmt::format("cannot read '{}': {}", path, std::strerror(error)));
+      "P5014", fmt::format("cannot read '{}': {}", path, SystemReason(error)));
 }
 
 Diagnostic TooLarge(const std::string& path) {
@@ -92,8 +93,7 @@ std::optional<std::string> WriteInto(const std::string& path,
   const PipeErrors are_errors;
   const File file(
       ::open(path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC | O_NOCTTY));
-  if (file.get() < 0 || !WriteAll(file.get(), text))
-    return std::strerror(errno);
+  if (file.get() < 0 || !WriteAll(file.get(), text)) return SystemReason(errno);
   return std::nullopt;
 }
 
@@ -152,15 +152,14 @@ std::optional<std::string> WriteFile(const std::string& path,
   const std::string target = RealPath(path);
   struct stat status {};
   const bool exists = ::stat(target.c_str(), &status) == 0;
-  if (exists && ::access(target.c_str(), W_OK) != 0)
-    return std::strerror(errno);
+  if (exists && ::access(target.c_str(), W_OK) != 0) return SystemReason(errno);
   const mode_t mode = exists ? status.st_mode & 07777 : 0666;
   const std::string neighbour = NeighbourOf(target);
   int error = 0;
   {
     const File file(::open(neighbour.c_str(),
                            O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode));
-    if (file.get() < 0) return std::strerror(errno);
+    if (file.get() < 0) return SystemReason(errno);
     if (exists) ::fchmod(file.get(), mode);
     if (!WriteAll(file.get(), text) || ::fsync(file.get()) != 0) error = errno;
   }
@@ -168,7 +167,18 @@ std::optional<std::string> WriteFile(const std::string& path,
     return std::nullopt;
   if (error == 0) error = errno;
   ::unlink(neighbour.c_str());
-  return std::strerror(error);
+  return SystemReason(error);
+}
+
+std::optional<Source> LoadSource(const std::string& path, Io& io) {
+  Result<Source> source = ReadSource(path, io);
+  if (source) return std::move(*source);
+  io.err << RenderWithoutLine(source.diagnostics()[0]);
+  return std::nullopt;
+}
+
+std::string RenderWithoutLine(const Diagnostic& problem) {
+  return fmt::format("error[{}]: {}\n", problem.code, Escaped(problem.message));
 }
 
 void Report(const std::vector<Diagnostic>& diagnostics, const Source& source,

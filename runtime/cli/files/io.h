@@ -48,6 +48,12 @@ bool WantsColor(bool is_terminal, const char* no_color);
 /// system's reason; files over 16 MiB are refused (a genotype has kilobytes).
 Result<Source> ReadSource(const std::string& path, Io& io);
 
+/// The same, and prints why there is none.
+std::optional<Source> LoadSource(const std::string& path, Io& io);
+
+/// "error[P5014]: cannot read 'a.pls': ...": of a whole file, without a line.
+std::string RenderWithoutLine(const Diagnostic& problem);
+
 /// Whether the path is a descriptor of this process under a name, as
 /// /dev/stdout.
 bool IsDescriptor(const std::string& path);
