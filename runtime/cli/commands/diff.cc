@@ -8,7 +8,7 @@
 #include "compiler/compile.h"
 #include "compiler/environment_text.h"
 #include "grammar/shown_line.h"
-#include "runtime/cli/arguments/command.h"
+#include "runtime/cli/arguments/git.h"
 #include "runtime/cli/files/load_program.h"
 #include "runtime/compare/difference_json.h"
 #include "runtime/compare/difference_text.h"
@@ -48,7 +48,7 @@ std::optional<Version> ReadVersion(const std::string& path,
   // Names of git's temporary files are no GenotypePath.
   const GenotypePath from =
       command.is_git ? GenotypePath{path, ""} : SplitGenotypePath(path);
-  std::optional<Source> source = LoadSource(from.file, io);
+  std::optional<Source> source = ReadOrReport(from.file, io);
   if (!source) return std::nullopt;
   if (command.is_git) source = Source(git_name, std::string(source->text()));
   CompileOptions options;

@@ -6,7 +6,7 @@
 
 #include "compiler/print.h"
 #include "grammar/shown_line.h"
-#include "runtime/cli/arguments/command.h"
+#include "runtime/cli/arguments/pictures.h"
 #include "runtime/cli/files/load_program.h"
 #include "runtime/cli/files/open_run.h"
 #include "runtime/cli/files/output_path.h"

@@ -8,7 +8,7 @@
 #include <map>
 #include <ostream>
 
-#include "runtime/cli/arguments/command.h"
+#include "runtime/cli/arguments/report.h"
 #include "runtime/cli/files/open_run.h"
 #include "runtime/cli/files/output_path.h"
 #include "runtime/pages/page.h"

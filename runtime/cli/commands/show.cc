@@ -5,7 +5,7 @@
 
 #include "compiler/print.h"
 #include "grammar/shown_line.h"
-#include "runtime/cli/arguments/command.h"
+#include "runtime/cli/arguments/runs.h"
 #include "runtime/cli/commands/robot_text.h"
 #include "runtime/cli/files/open_run.h"
 #include "runtime/life/season_json.h"

@@ -7,7 +7,7 @@
 #include <variant>
 
 #include "grammar/shown_line.h"
-#include "runtime/cli/arguments/command.h"
+#include "runtime/cli/arguments/robots.h"
 #include "runtime/cli/files/load_program.h"
 #include "runtime/cli/files/load_yaml.h"
 #include "runtime/cli/files/output_path.h"

@@ -3,7 +3,7 @@
 #include <ostream>
 
 #include "runtime/advice/stats_text.h"
-#include "runtime/cli/arguments/command.h"
+#include "runtime/cli/arguments/genotypes.h"
 #include "runtime/cli/files/load_program.h"
 #include "runtime/develop/regimes.h"
 

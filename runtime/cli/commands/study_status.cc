@@ -5,7 +5,7 @@
 #include <ostream>
 
 #include "grammar/shown_line.h"
-#include "runtime/cli/arguments/command.h"
+#include "runtime/cli/arguments/study.h"
 #include "runtime/study/run_report.h"
 #include "runtime/study/study_folder.h"
 #include "runtime/text/json_dump.h"

@@ -144,7 +144,7 @@ std::optional<LoadedProgram> LoadWithMap(const std::string& path,
                                          bool allow_range, Io& io,
                                          const std::optional<Position>& at) {
   const GenotypePath from = SplitGenotypePath(path);
-  std::optional<Source> source = LoadSource(from.file, io);
+  std::optional<Source> source = ReadOrReport(from.file, io);
   if (!source) return std::nullopt;
   std::vector<Diagnostic> warnings;
   auto all = Compiled(*source, allow_range, warnings, io);
@@ -160,7 +160,7 @@ std::optional<LoadedProgram> LoadWithMap(const std::string& path,
 std::optional<LoadedFile> LoadFile(const std::string& path, bool allow_range,
                                    Io& io) {
   const GenotypePath from = SplitGenotypePath(path);
-  std::optional<Source> source = LoadSource(from.file, io);
+  std::optional<Source> source = ReadOrReport(from.file, io);
   if (!source) return std::nullopt;
   std::vector<Diagnostic> warnings;
   auto all = Compiled(*source, allow_range, warnings, io);

@@ -11,6 +11,7 @@
 #include <system_error>
 
 #include "runtime/cli/files/io.h"
+#include "runtime/cli/files/output_file.h"
 #include "runtime/cli/files/pipe_errors.h"
 #include "runtime/cli/running/progress.h"
 #include "runtime/text/json_dump.h"

@@ -18,8 +18,8 @@
 #include <set>
 #include <sstream>
 
-#include "runtime/cli/arguments/command.h"
 #include "runtime/cli/arguments/command_description.h"
+#include "runtime/cli/run.h"
 #include "tests/process_end.h"
 #include "tests/runtime/cli/run_plsc.h"
 #include "tests/runtime/cli/tiny_run.h"
