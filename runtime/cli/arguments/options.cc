@@ -125,7 +125,7 @@ Option Options::AddChoice(const char* names, std::function<void(int)> take,
                         names,
                         [take = std::move(take)](int number) { take(number); },
                         help)
-                    ->transform(CLI::CheckedTransformer(words))
+                    ->transform(numbers)
                     ->type_name(value_name)
                     ->option_text(value_name));
 }
