@@ -57,7 +57,21 @@ DOORS = {
     r"xxhash\.h": r"runtime/text/key\.cc",
     r"Rmath\.h": r"runtime/report/wilcoxon\.cc",
     r"mpi\.h": r"runtime/workers/mpi_[a-z_]*\.cc",
+    r"charconv": r"grammar/number\.cc",
 }
+# What reads numbers with the language of the system, or not all of a text.
+NUMBER_READERS = re.compile(r"\b(strto(d|f|ld|l|ll|ul|ull)|sto(d|f|ld|i|l|ll|ul|ull)|sscanf)\(")
+# The rooms that build alone (preset core): as a page's module, too, which has
+# no threads, files, clocks or processes.
+CORE = """grammar compiler compiler/changes sim runtime/text runtime/authors
+runtime/develop runtime/scenario runtime/life runtime/compare runtime/recording
+runtime/advice runtime/vary runtime/pictures runtime/history
+runtime/lsp""".split()
+NOT_IN_CORE = re.compile(
+    r"(barrier|chrono|condition_variable|csignal|cstdio|ctime|filesystem|fstream|"
+    r"future|iostream|latch|mutex|random|semaphore|shared_mutex|stop_token|thread|"
+    r"(dirent|dlfcn|fcntl|poll|pthread|signal|spawn|stdio|time|unistd|mpi|sqlite3)"
+    r"\.h|(sys|CLI)/.*)$")
 # What is private to another concept: its source's second header.
 PRIVATE = {"sim/world_ode": "sim/world"}
 MOST_CONCEPTS = 40  # of a folder: what one can look over
@@ -95,6 +109,19 @@ def check_arrows(problems):
         above.add(folder)
 
 
+def check_core(problems):
+    """The core is closed, and is what the preset builds."""
+    for folder in CORE:
+        for name in sorted(allowed(folder) - set(CORE)):
+            problems.append(f"CORE: {folder} may include {name}, which is no part of it")
+    built = (ROOT / "runtime/CMakeLists.txt").read_text().partition("PLSC_CORE_ONLY")[0]
+    for folder in ARROWS:
+        room = re.fullmatch(r"runtime/(\w+)", folder)
+        if room and bool(re.search(rf"\b{room[1]}\b", re.sub("#.*", "", built))) != (
+                folder in CORE):
+            problems.append(f"CORE: {folder} and runtime/CMakeLists.txt disagree")
+
+
 def check_includes(problems):
     for source in SOURCES:
         name = source.relative_to(ROOT).as_posix()
@@ -103,7 +130,12 @@ def check_includes(problems):
             if not name.startswith("runtime/package/"):
                 problems.append(f"{name}: stands in no room of ARROWS")
             continue
-        for include in INCLUDE.findall(source.read_text()):
+        text = source.read_text()
+        if found := NUMBER_READERS.search(text):
+            problems.append(f"{name}: {found[0]}) belongs behind grammar/number.h")
+        for include in INCLUDE.findall(text):
+            if folder in CORE and NOT_IN_CORE.match(include):
+                problems.append(f"{name}: <{include}> is not in a core room")
             target = folder_of(include)
             if target is not None and target not in allowed(folder):
                 problems.append(f"{name}: {folder}/ must not include {include}")
@@ -275,6 +307,7 @@ def check_mirror(problems):
 def main():
     problems = []
     check_arrows(problems)
+    check_core(problems)
     check_includes(problems)
     check_concepts(problems)
     check_table(problems)

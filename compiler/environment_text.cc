@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 #include <map>
 #include <optional>
+
+#include "grammar/number.h"
 
 namespace plsc {
 
@@ -64,20 +64,10 @@ Result<std::vector<Assignment>> Split(const Source& source) {
   return assignments;
 }
 
-std::optional<double> ParseNumber(std::string_view text) {
-  double value = 0;
-  const auto [end, error] =
-      std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size() ||
-      !std::isfinite(value))
-    return std::nullopt;
-  return value;
-}
-
 // A number is out of range; anything else is of another type.
 Diagnostic WrongValue(const Source& source, Span span, const State& state) {
   const bool is_number = state.type == StateType::kReal &&
-                         ParseNumber(At(source, span)).has_value();
+                         ParseNumber<double>(At(source, span)).has_value();
   return Error(is_number ? "P2015" : "P2006", span,
                fmt::format("expected {} for state '{}', found '{}'",
                            ExpectedValue(state), state.name, At(source, span)),
@@ -113,7 +103,7 @@ std::optional<double> ParseStateValue(std::string_view text,
       return static_cast<double>(found - state.values.begin());
     }
     case StateType::kReal: {
-      const std::optional<double> value = ParseNumber(text);
+      const std::optional<double> value = ParseNumber<double>(text);
       if (!value || *value < state.low || *value > state.high)
         return std::nullopt;
       return value;

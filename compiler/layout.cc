@@ -161,8 +161,9 @@ class Writer {
     return static_cast<int>(AlphabetOf(part).Find(file_.Text(head)).value());
   }
 
-  // Kinds are set apart, and so are rules, environments and tests as Print does
-  // it; between items of one kind in the header the writer's blank lines stay.
+  // Rules, environments and tests are set apart from what is before them, and
+  // each rule and test from the next unless it is compact; elsewhere the
+  // writer's blank lines stay.
   bool WantsBlank(const Part& last, const Part& part) const {
     const int kind = RankInSection(part).first;
     const int last_kind = RankInSection(last).first;

@@ -9,9 +9,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <string>
 #include <utility>
+
+#include "grammar/number.h"
 
 namespace plsc::grammar {
 
@@ -69,9 +70,9 @@ void Builder::TakeNumber(Span span) {
   value.is_integer = std::none_of(text.begin(), text.end(), [](char c) {
     return c == '.' || c == 'e' || c == 'E';
   });
-  const auto [end, error] =
-      std::from_chars(text.data(), text.data() + text.size(), value.number);
-  const bool fits = error == std::errc();
+  const LeadingNumber<double> read = ReadNumber<double>(text);
+  value.number = read.value;
+  const bool fits = read.kind == LeadingNumber<double>::Kind::kFits;
   if (fits && (value.number != 0 || IsWrittenZero(text))) return;
   // What follows needs some number in its place.
   value.number = 1;

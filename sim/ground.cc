@@ -1,8 +1,9 @@
 // Contact of boxes with the ground, by hand and not by ODE, which has no rough
-// ground without a mesh and gives a contact a corner: rows that the solver pays
-// for. A plane touches a convex body at corners only, so eight points a box
-// decide; rough ground may meet a side between two corners, so long sides get
-// points in between, and what is narrower than these is not seen.
+// ground without a mesh and gives up to four contacts a box, rows that the
+// solver pays for. A plane touches a convex body at corners only, so eight
+// points a box decide; rough ground may meet a side between two corners, so
+// long sides get points in between, and what is narrower than these is not
+// seen.
 //
 // Most boxes are in the air. A sphere about the link spares all of it, one
 // about a box its eight corners; on hills the sphere grows by what the ground

@@ -97,7 +97,7 @@ std::optional<GenotypeDifference> CompareOne(const Program& before,
   GenotypeDifference difference;
   difference.genotype = after.genotype.name;
   difference.environments =
-      CompareRobotsIn(shared->environments, before.genotype, after.genotype);
+      CompareRobots(shared->environments, before.genotype, after.genotype);
   difference.limitation = shared->limitation;
   return difference;
 }

@@ -66,8 +66,7 @@ std::vector<std::string> RuleTexts(const LoadedProgram& loaded) {
     const Rule& rule = genotype.rules[i];
     const Span span = loaded.mapped.map.rules[i].rule;
     texts.push_back(fmt::format(
-        "rule {}: {}, {} (line {})", i + 1,
-        (*genotype.alphabet)[rule.head].name,
+        "rule {}: {}, {} (line {})", i + 1, genotype.SymbolOf(rule.head).name,
         rule.clause.is_always() ? std::string("always")
                                 : "if " + PrintClause(rule.clause, genotype),
         loaded.source.PositionOf(span.begin).line));

@@ -49,7 +49,7 @@ const char* VerbOf(MutationKind kind) {
 std::string RuleText(const Genotype& parent, const Mutation& mutation) {
   const Rule& one = parent.rules[mutation.rule];
   return fmt::format(
-      "rule {} ({}{})", RuleNumber(mutation), (*parent.alphabet)[one.head].name,
+      "rule {} ({}{})", RuleNumber(mutation), parent.SymbolOf(one.head).name,
       one.clause.is_always() ? "" : " if " + PrintClause(one.clause, parent));
 }
 
@@ -69,14 +69,14 @@ OneChild MutateOne(const Program& parent, const HowToMutate& how,
   child.told = has_changed
                    ? fmt::format("{} {}", VerbOf(mutation.kind), rule)
                    : fmt::format("nothing changed: {} of {} had no effect",
-                                 MutationName(mutation.kind), rule);
-  child.what =
-      DumpJson(nlohmann::ordered_json{{"seed", std::to_string(key.seed)},
-                                      {"generation", key.generation},
-                                      {"individual", key.individual},
-                                      {"mutation", MutationName(mutation.kind)},
-                                      {"rule", RuleNumber(mutation)},
-                                      {"changed", has_changed}});
+                                 NameIn(kMutationNames, mutation.kind), rule);
+  child.what = DumpJson(nlohmann::ordered_json{
+      {"seed", std::to_string(key.seed)},
+      {"generation", key.generation},
+      {"individual", key.individual},
+      {"mutation", NameIn(kMutationNames, mutation.kind)},
+      {"rule", RuleNumber(mutation)},
+      {"changed", has_changed}});
   return child;
 }
 

@@ -59,7 +59,8 @@ std::string Summary(const StudyReport& report) {
         RunState::kMissing, RunState::kDamaged}) {
     const auto found = states.find(state);
     if (found == states.end()) continue;
-    text += fmt::format("{}{} {}", separator, found->second, StateName(state));
+    text += fmt::format("{}{} {}", separator, found->second,
+                        NameIn(kRunStateNames, state));
     separator = ", ";
   }
   return text;

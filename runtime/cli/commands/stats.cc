@@ -23,7 +23,7 @@ std::optional<std::vector<NamedEnvironment>> EnvironmentsOf(
                          program.genotype.states.empty();
   if (is_chosen) return ChooseEnvironments(program, texts, io);
   const StateSpace space(program.genotype);
-  const auto regimes = FindRegimes(program.genotype, space);
+  const auto regimes = FindRegimes(ClausesOf(program.genotype), space);
   if (!regimes || regimes->size() > kMaxRegimes)
     return ChooseEnvironments(program, texts, io);
   std::vector<NamedEnvironment> environments;

@@ -12,6 +12,8 @@
 #include <utility>
 
 #include "grammar/shown_line.h"
+#include "runtime/cli/files/pipe_errors.h"
+#include "runtime/text/system_reason.h"
 
 namespace plsc::cli {
 
@@ -43,7 +45,7 @@ Diagnostic Unreadable(std::string code, std::string message) {
 
 Diagnostic CannotRead(const std::string& path, int error) {
   return Unreadable(
-      "P5014", fmt::format("cannot read '{}': {}", path, std::strerror(error)));
+      "P5014", fmt::format("cannot read '{}': {}", path, SystemReason(error)));
 }
 
 Diagnostic TooLarge(const std::string& path) {
@@ -98,9 +100,12 @@ std::optional<Source> ReadOrReport(const std::string& path, Io& io) {
   return std::nullopt;
 }
 
+std::string RenderWithoutLine(const Diagnostic& problem) {
+  return fmt::format("error[{}]: {}\n", problem.code, Escaped(problem.message));
+}
+
 void ReportUnreadable(const Diagnostic& problem, Io& io) {
-  io.err << fmt::format("error[{}]: {}\n", problem.code,
-                        Escaped(problem.message));
+  io.err << RenderWithoutLine(problem);
 }
 
 void Report(const std::vector<Diagnostic>& diagnostics, const Source& source,

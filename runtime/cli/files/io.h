@@ -51,7 +51,10 @@ Result<Source> ReadSource(const std::string& path, Io& io);
 /// The same for who goes no further without it: prints what is wrong.
 std::optional<Source> ReadOrReport(const std::string& path, Io& io);
 
-/// What ReadSource found wrong. There is no line to show.
+/// "error[P5014]: cannot read 'a.pls': ...": what ReadSource found wrong, of
+/// which there is no line to show.
+std::string RenderWithoutLine(const Diagnostic& problem);
+/// Prints it.
 void ReportUnreadable(const Diagnostic& problem, Io& io);
 
 /// Prints diagnostics to io.err.
