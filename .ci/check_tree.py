@@ -55,7 +55,7 @@ DOORS = {
     r"Random123/": r"runtime/vary/rng\.cc",
     r"sqlite3\.h": r"runtime/store/database\.cc",
     r"xxhash\.h": r"runtime/text/key\.cc",
-    r"Rmath\.h": r"runtime/report/wilcoxon\.cc",
+    r"(librsvg/|cairo\.h|glib)": r"runtime/cli/files/png\.cc",
     r"mpi\.h": r"runtime/workers/mpi_[a-z_]*\.cc",
     r"charconv": r"grammar/number\.cc",
 }

@@ -12,8 +12,6 @@
 #include "runtime/cli/files/open_run.h"
 #include "runtime/cli/files/output_file.h"
 #include "runtime/cli/files/output_path.h"
-#include "runtime/cli/files/pipe_errors.h"
-#include "runtime/text/system_reason.h"
 
 namespace plsc::cli {
 

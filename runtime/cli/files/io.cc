@@ -12,7 +12,6 @@
 #include <utility>
 
 #include "grammar/shown_line.h"
-#include "runtime/cli/files/pipe_errors.h"
 #include "runtime/text/system_reason.h"
 
 namespace plsc::cli {

@@ -13,11 +13,11 @@
 #include <cerrno>
 #include <climits>
 #include <cstdlib>
-#include <cstring>
 #include <ostream>
 #include <utility>
 
 #include "grammar/shown_line.h"
+#include "runtime/text/system_reason.h"
 
 namespace plsc::cli {
 
@@ -118,7 +118,7 @@ std::optional<std::string> OutputFile::Finish() {
 
 std::optional<std::string> OutputFile::reason() const {
   if (error_ == 0) return std::nullopt;
-  return std::strerror(error_);
+  return SystemReason(error_);
 }
 
 std::optional<std::string> WriteFile(const std::string& path,
