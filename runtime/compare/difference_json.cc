@@ -87,7 +87,7 @@ std::string DifferenceJson(const std::vector<SectionChange>& texts,
     for (const EnvironmentDifference& environment : one.environments)
       environments.push_back(EnvironmentJson(environment));
     json["robots"].push_back({{"genotype", one.genotype},
-                              {"change", NameOf(one.kind)},
+                              {"change", NameIn(kItemChangeNames, one.kind)},
                               {"differs", one.is_different()},
                               {"limitation", one.limitation},
                               {"environments", std::move(environments)}});

@@ -10,6 +10,7 @@
 
 #include <string_view>
 
+#include "compiler/print.h"
 #include "runtime/develop/derive.h"
 #include "runtime/develop/descriptors.h"
 #include "runtime/develop/develop.h"
