@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "compiler/print.h"
+#include "runtime/develop/part_names.h"
 #include "runtime/develop/regulate.h"
 #include "runtime/text/aligned_rows.h"
 
