@@ -51,11 +51,11 @@ DOORS = {
     r"tao/pegtl": r"grammar/",
     r"ode/": r"sim/",
     r"yaml-cpp/": r"runtime/text/yaml_[a-z_]*\.(h|cc)",
-    r"CLI/": r"runtime/cli/arguments/[a-z_]*\.cc",
+    r"CLI/": r"runtime/cli/arguments/(options|arguments|description)\.cc",
     r"Random123/": r"runtime/vary/rng\.cc",
     r"sqlite3\.h": r"runtime/store/database\.cc",
     r"xxhash\.h": r"runtime/text/key\.cc",
-    r"Rmath\.h": r"runtime/report/wilcoxon\.cc",
+    r"(librsvg/|cairo\.h|glib)": r"runtime/cli/files/png\.cc",
     r"mpi\.h": r"runtime/workers/mpi_[a-z_]*\.cc",
     r"charconv": r"grammar/number\.cc",
 }
@@ -221,6 +221,36 @@ def check_paths(problems):
             problems.append(f"{document.relative_to(ROOT)}: there is no {name}")
 
 
+def check_commands(problems):
+    """A command joins at one place: nothing but the registry names commands of
+    several groups, neither their structs nor their words."""
+    arguments = ROOT / "runtime/cli/arguments"
+    groups = {}
+    for header in sorted(arguments.glob("*.h")):
+        for struct in re.findall(r"^struct (\w+Command) \{", header.read_text(), re.M):
+            groups[struct] = header.stem
+        source = header.with_suffix(".cc")
+        for word in re.findall(r'(?:\.Command\(|AddToStudy\(options, )\s*"(\w+)"',
+                               source.read_text() if source.exists() else ""):
+            groups[f'"{word}"'] = header.stem
+    if len(groups) < 2 * 30:
+        problems.append("check_commands: finds no commands in runtime/cli/arguments")
+    registry = (arguments / "registry.cc").read_text()
+    for struct in groups:
+        if not struct.startswith('"') and not re.search(rf"\b{struct}\b", registry):
+            problems.append(f"{struct}: is not registered in runtime/cli/arguments/registry.cc")
+    for source in SOURCES:
+        if source == arguments / "registry.cc":
+            continue
+        text = re.sub(r"//.*", "", source.read_text())
+        for kind, most in (("struct", 1), ("word", 2)):
+            named = sorted({groups[w] for w in re.findall(r'\w+Command\b|"\w+"', text)
+                            if w in groups and w.startswith('"') == (kind == "word")})
+            if len(named) > most:
+                problems.append(f"{source.relative_to(ROOT)}: names commands of {', '.join(named)}: "
+                                "the list of commands is registry.cc")
+
+
 def check_folders(problems):
     """Every folder says what is in it, and what is not."""
     for base in ("grammar", "compiler", "sim", "runtime", "tests"):
@@ -282,6 +312,7 @@ def main():
     check_concepts(problems)
     check_table(problems)
     check_paths(problems)
+    check_commands(problems)
     check_folders(problems)
     check_lists(problems)
     check_mirror(problems)

@@ -122,8 +122,7 @@ class EnvironmentChecker {
   }
 
   void CheckEntry(const ast::Entry& entry, const Term& resolved, Span* given) {
-    const State& state =
-        scope_.header.states[static_cast<std::size_t>(resolved.state)];
+    const State& state = scope_.header.StateOf(resolved.state);
     if (given->end != 0) {
       diagnostics_.push_back(
           Make("P2015", entry.span,
@@ -164,7 +163,7 @@ class EnvironmentChecker {
 std::string StateNames(const Clause& clause, const std::vector<State>& states) {
   std::vector<std::string> names;
   for (const Term& term : clause.terms) {
-    const std::string& name = states[static_cast<std::size_t>(term.state)].name;
+    const std::string& name = StateAt(states, term.state).name;
     if (std::find(names.begin(), names.end(), name) == names.end())
       names.push_back(name);
   }

@@ -122,7 +122,7 @@ class TestChecker {
 
   void CheckKind(const ast::BodyNode& node, SymbolId id) {
     const bool is_module =
-        (*scope_.header.alphabet)[id].category == Category::kModule;
+        scope_.header.SymbolOf(id).category == Category::kModule;
     const std::string_view name = file_.Text(node.name);
     if (!is_module)
       Report("P2021", node.name, fmt::format("'{}' is no module", name)).label =
@@ -141,9 +141,9 @@ class TestChecker {
     Open& parent = path_.back();
     Span& taken = parent.faces[static_cast<std::size_t>(face)];
     if (taken.end > 0)
-      Report(
-          "P2021", node.face,
-          fmt::format("the {} of this module is given twice", FaceName(face)))
+      Report("P2021", node.face,
+             fmt::format("the {} of this module is given twice",
+                         NameIn(kFaceNames, face)))
           .others.push_back({taken, "first given here"});
     taken = node.face;
     if (parent.symbol == plasticoding::kT)
@@ -152,7 +152,7 @@ class TestChecker {
                           parent.symbol == plasticoding::kA2;
     if (is_joint && face != Face::kFront)
       Report("P2021", node.face,
-             fmt::format("a joint has no {} face", FaceName(face)))
+             fmt::format("a joint has no {} face", NameIn(kFaceNames, face)))
           .label = "modules are mounted at its front";
     if (face == Face::kBack && !is_joint && parent.symbol &&
         parent.symbol != plasticoding::kC && parent.symbol != plasticoding::kT)

@@ -135,7 +135,7 @@ std::vector<Diagnostic> LintClauses(const Program& program,
   for (std::size_t begin = 0; begin < rules.size();) {
     std::size_t end = begin + 1;
     while (end < rules.size() && rules[end].head == rules[begin].head) ++end;
-    const Group group{(*genotype.alphabet)[rules[begin].head].name,
+    const Group group{genotype.SymbolOf(rules[begin].head).name,
                       rules.subspan(begin, end - begin),
                       std::span(map.rules).subspan(begin, end - begin)};
     LintGroup(group, genotype.states, &warnings);

@@ -70,7 +70,7 @@ void AppendClause(const Clause& clause, const std::vector<State>& states,
     if (i > 0)
       *text += clause.connectives[i - 1] == Connective::kAnd ? " and " : " or ";
     const Term& term = clause.terms[i];
-    const State& state = states[static_cast<std::size_t>(term.state)];
+    const State& state = StateAt(states, term.state);
     *text += state.name;
     *text += ComparisonText(term.comparison);
     AppendValue(term.value, state, text);
@@ -112,7 +112,7 @@ void AppendHeader(const Genotype& genotype, std::string* text) {
   *text += "plsc 1\n\ngenotype " + genotype.name + "\n";
   *text += PrintAlphabet(*genotype.alphabet);
   for (const State& state : genotype.states) AppendSense(state, text);
-  *text += "axiom " + (*genotype.alphabet)[genotype.axiom].name + "\n";
+  *text += "axiom " + genotype.SymbolOf(genotype.axiom).name + "\n";
   AppendSetting("iterations", genotype.development.iterations, text);
   AppendSetting("max_modules", genotype.development.max_modules, text);
   *text += genotype.development.move_to_new ? "move_to_new True\n"
@@ -122,7 +122,7 @@ void AppendHeader(const Genotype& genotype, std::string* text) {
 }
 
 void AppendRule(const Rule& rule, const Genotype& genotype, std::string* text) {
-  *text += "\nrule " + (*genotype.alphabet)[rule.head].name + " -> ";
+  *text += "\nrule " + genotype.SymbolOf(rule.head).name + " -> ";
   if (!rule.clause.is_always()) {
     *text += "if ";
     AppendClause(rule.clause, genotype.states, text);
@@ -179,7 +179,7 @@ void AppendExpectedBody(const std::vector<ExpectedModule>& body,
     const auto indent = 2 * static_cast<std::size_t>(module.depth);
     text->append(indent, ' ');
     if (module.depth > 0) {
-      *text += FaceName(module.face);
+      *text += NameIn(kFaceNames, module.face);
       *text += ' ';
     }
     *text += alphabet[module.symbol].name;
@@ -295,7 +295,7 @@ std::string PrintBody(const std::vector<ExpectedModule>& body,
     const ExpectedModule& module = body[i];
     if (module.depth > 0) {
       text += ' ';
-      text += FaceName(module.face);
+      text += NameIn(kFaceNames, module.face);
       text += ' ';
     }
     text += alphabet[module.symbol].name;

@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "grammar/shown_line.h"
+#include "grammar/utf8.h"
 
 namespace plsc {
 
@@ -68,8 +69,7 @@ LinePart PartOf(std::string_view line, std::uint32_t line_begin,
                 std::uint32_t at) {
   if (line.size() <= 2 * kMaxLooked) return {line, line_begin};
   const auto is_inside = [&](std::size_t i) {
-    return i < line.size() &&
-           (static_cast<unsigned char>(line[i]) & 0xC0U) == 0x80U;
+    return i < line.size() && GoesOn(line[i]);
   };
   const std::size_t middle =
       std::min<std::size_t>(at - line_begin, line.size());

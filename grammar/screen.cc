@@ -13,6 +13,7 @@
 #include <cstring>
 
 #include "grammar/foreign_file.h"
+#include "grammar/utf8.h"
 
 namespace plsc {
 
@@ -40,7 +41,7 @@ std::size_t Utf8Length(std::string_view text, std::size_t i) {
     return i + k < text.size() ? static_cast<unsigned char>(text[i + k]) : 0;
   };
   const auto continues = [&](std::size_t k) {
-    return (byte(k) & 0xC0U) == 0x80U;
+    return i + k < text.size() && GoesOn(text[i + k]);
   };
   const unsigned lead = byte(0);
   if (lead < 0x80) return 1;

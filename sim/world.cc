@@ -31,7 +31,7 @@
 #include <cstddef>
 #include <utility>
 
-#include "sim/state_hash.h"
+#include "sim/fnv.h"
 #include "sim/world_ode.h"
 
 namespace plsc {
@@ -364,7 +364,7 @@ int World::solver_warnings() const {
 }
 
 std::uint64_t World::Hash() const {
-  StateHash hash;
+  Fnv hash;
   for (const dBodyID body : ode_->bodies) {
     const dReal* quaternion = dBodyGetQuaternion(body);
     for (int i = 0; i < 3; ++i) hash.Add(dBodyGetPosition(body)[i]);

@@ -96,11 +96,10 @@ class Watcher {
       std::vector<SymbolId> next;
       for (const SymbolId symbol : front) {
         is_rewritten[static_cast<std::size_t>(symbol)] = true;
-        for (const Occurrence& made :
-             active.joined[static_cast<std::size_t>(symbol)]) {
+        for (const Occurrence& made : active.joined[symbol]) {
           const auto index = static_cast<std::size_t>(made.symbol);
           // In a string that is rewritten once more, this is a call.
-          if (i + 1 < iterations && !active.joined[index].empty())
+          if (i + 1 < iterations && !active.joined[made.symbol].empty())
             Express(made);
           if (is_seen[index]) continue;
           is_seen[index] = true;
@@ -137,7 +136,7 @@ class Watcher {
       if (symbol == plasticoding::kA1 || symbol == plasticoding::kA2) {
         missing.reset();
         if (effect != Effect::kMounted) missing = effect;
-      } else if ((*genotype_.alphabet)[symbol].category !=
+      } else if (genotype_.SymbolOf(symbol).category !=
                  Category::kControllerChanging) {
         missing.reset();
       } else if (missing && InfoOf(effect).is_expressed) {
@@ -237,7 +236,7 @@ void ReportSymbols(const Rule& rule, const RuleFate& fate,
     Diagnostic warning =
         Warn("W4002", spans.symbols[i],
              fmt::format("this '{}' is expressed in no environment",
-                         (*genotype.alphabet)[rule.production[i].id].name));
+                         genotype.SymbolOf(rule.production[i].id).name));
     warning.label = InfoOf(symbol.last).text;
     warnings->push_back(std::move(warning));
   }
@@ -256,8 +255,7 @@ std::vector<Diagnostic> ReportAll(const MappedProgram& compiled,
     if (fates[i].is_used) {
       ReportSymbols(genotype.rules[i], fates[i], spans, genotype, &warnings);
     } else if (fates[i].is_active) {  // never active is W3002's to say
-      const std::string& head =
-          (*genotype.alphabet)[genotype.rules[i].head].name;
+      const std::string& head = genotype.SymbolOf(genotype.rules[i].head).name;
       warnings.push_back(
           Warn("W4002", spans.head,
                fmt::format("this rule for '{}' rewrites nothing", head)));

@@ -366,8 +366,8 @@ void RobotComparison::Edges() {
 
 }  // namespace
 
-void CompareRobots(const GoldenRobot& expected, const GoldenRobot& found,
-                   std::vector<Difference>& differences) {
+void CompareParts(const GoldenRobot& expected, const GoldenRobot& found,
+                  std::vector<Difference>& differences) {
   RobotComparison comparison(expected, found, differences);
   comparison.Modules();
   comparison.Nodes();

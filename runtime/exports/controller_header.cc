@@ -13,6 +13,7 @@
 #include <numbers>
 
 #include "runtime/exports/controller_tables.h"
+#include "runtime/scenario/scenario_physics.h"
 #include "sim/controller.h"
 
 namespace plsc {
@@ -73,9 +74,10 @@ constexpr const char* kUse = R"( *
 /// Which of the two plsc ran, and when.
 std::string Mode(const SimulationOptions& options) {
   const bool is_coupled = options.controller == ControllerMode::kCoupled;
-  std::string text = fmt::format(
-      " *\n * plsc ran `controller: {}`, which is @_{}.\n",
-      ControllerName(options.controller), is_coupled ? "update" : "oscillate");
+  std::string text =
+      fmt::format(" *\n * plsc ran `controller: {}`, which is @_{}.\n",
+                  NameIn(kControllerNames, options.controller),
+                  is_coupled ? "update" : "oscillate");
   if (options.servo.refresh == Refresh::kLate)
     text += fmt::format(
         " * It did so with `refresh: late`: not at these times but at the "

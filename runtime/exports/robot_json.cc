@@ -33,7 +33,7 @@ Json BoxValue(const RobotModel& model, const Box& box) {
   return {{"name", BoxName(model, box)},
           {"module", ModuleId(body, box.module)},
           {"module_type", ModuleName(module.type)},
-          {"part", PartName(box.part)},
+          {"part", NameIn(kPartNames, box.part)},
           {"mass", box.mass},
           {"size", VectorValue(box.size)},
           {"centre", VectorValue(box.centre)},
@@ -135,7 +135,7 @@ Json BoxesValue(const ExportedGround& ground) {
 /// The plane, and what rises from it.
 Json GroundValue(const Terrain& terrain) {
   const ExportedGround ground = GroundOf(terrain);
-  Json value{{"type", TerrainName(terrain.type)},
+  Json value{{"type", NameIn(kTerrainNames, terrain.type)},
              {"scenario", PrintTerrain(terrain)},
              {"normal", VectorValue(GroundNormal(terrain))}};
   if (ground.reach > 0) value["reach"] = ground.reach;

@@ -43,9 +43,9 @@ Json GenotypeRuleJson(const ExplainedRobot& robot, std::size_t index) {
   for (std::size_t i = 0; i < rule.production.size(); ++i)
     symbols.push_back(
         {{"text", PrintSymbol(rule.production[i], *genotype.alphabet)},
-         {"name", (*genotype.alphabet)[rule.production[i].id].name},
+         {"name", genotype.SymbolOf(rule.production[i].id).name},
          {"span", SpanJson(spans.symbols[i])}});
-  return {{"head", (*genotype.alphabet)[rule.head].name},
+  return {{"head", genotype.SymbolOf(rule.head).name},
           {"line", robot.source.PositionOf(spans.rule.begin).line},
           {"span", SpanJson(spans.rule)},
           {"terms", std::move(terms)},
@@ -231,7 +231,7 @@ Json RobotJson(const ExplainedRobot& robot) {
   return {{"title", robot.title},
           {"file", WithoutFolders(robot.source.name())},
           {"text", robot.source.text()},
-          {"axiom", (*robot.genotype.alphabet)[robot.genotype.axiom].name},
+          {"axiom", robot.genotype.SymbolOf(robot.genotype.axiom).name},
           {"rules", std::move(rules)},
           {"environments", std::move(environments)}};
 }

@@ -13,6 +13,7 @@
 #include "runtime/report/experiment_difference.h"
 #include "runtime/scenario/scenario_terrain.h"
 #include "runtime/text/json_dump.h"
+#include "runtime/text/quantity.h"
 
 namespace plsc {
 
@@ -224,7 +225,6 @@ Json SensedJson(const std::vector<SensedState>& sensed,
 }
 
 Json PortraitJson(const Portrait& portrait) {
-  constexpr double kCentimetres = 100;
   Json json{{"id", portrait.id},
             {"name", portrait.name},
             {"born", portrait.born},
@@ -238,7 +238,7 @@ Json PortraitJson(const Portrait& portrait) {
           season.speed ? Number(kCentimetres * *season.speed) : Json(nullptr)},
          {"balance", Number(season.balance)},
          {"size", season.size},
-         {"change", ChangeName(season.change)},
+         {"change", NameIn(kChangeNames, season.change)},
          {"sensed", SensedJson(season.sensed, portrait.states)},
          {"svg", TextOrNull(season.svg)}});
   for (const RuleUse& rule : portrait.rules)
@@ -265,7 +265,7 @@ Json RunJson(const ReportRun& run, const Json& experiment) {
   Json json{{"label", run.input.label},
             {"path", run.input.path},
             {"experiment", experiment},
-            {"state", StateName(reading.state)},
+            {"state", NameIn(kRunStateNames, reading.state)},
             {"problem", TextOrNull(reading.problem)},
             {"worker", TextOrNull(reading.worker)}};
   if (reading.state == RunState::kMissing ||

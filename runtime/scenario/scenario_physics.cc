@@ -84,22 +84,14 @@ static_assert(FieldCount<PhysicsOptions>() ==
               std::size(kPhysicsKeys) + std::size(kPhysicsIntKeys) + 1);
 static_assert(FieldCount<ServoOptions>() == std::size(kServoKeys) + 1);
 
-const std::vector<std::string>& SolverNames() {
-  static const std::vector<std::string> names = {"direct", "iterative"};
-  return names;
-}
-
-const std::vector<std::string>& RefreshNames() {
-  static const std::vector<std::string> names = {"exact", "late"};
-  return names;
-}
+constexpr EnumNames<Solver, 2> kSolverNames{
+    {{Solver::kDirect, "direct"}, {Solver::kIterative, "iterative"}}};
 
 using Printed = std::vector<std::pair<std::string, std::string>>;
 
 Printed PrintedKeys(const PhysicsOptions& physics) {
   Printed lines;
-  lines.emplace_back("solver",
-                     SolverNames()[static_cast<std::size_t>(physics.solver)]);
+  lines.emplace_back("solver", NameIn(kSolverNames, physics.solver));
   for (const IntKey& key : kPhysicsIntKeys)
     lines.emplace_back(key.name, std::to_string(physics.*key.field));
   for (const auto& key : kPhysicsKeys)
@@ -117,8 +109,7 @@ PhysicsPatch ReadPhysics(YamlMap map) {
     if (map.Find(name)) patch.given.insert(name);
   };
   note("solver");
-  physics.solver = static_cast<Solver>(map.Choice(
-      "solver", static_cast<std::size_t>(physics.solver), SolverNames()));
+  physics.solver = map.Choice("solver", physics.solver, kSolverNames);
   for (const IntKey& key : kPhysicsIntKeys) {
     note(key.name);
     physics.*key.field =
@@ -165,8 +156,7 @@ ServoOptions ReadServo(YamlMap map, const ServoOptions& otherwise) {
   ServoOptions servo = otherwise;
   for (const auto& key : kServoKeys)
     servo.*key.field = map.Number(key.name, servo.*key.field, key.quantity);
-  servo.refresh = static_cast<Refresh>(map.Choice(
-      "refresh", static_cast<std::size_t>(servo.refresh), RefreshNames()));
+  servo.refresh = map.Choice("refresh", servo.refresh, kRefreshNames);
   map.Close();
   return servo;
 }
@@ -178,7 +168,7 @@ std::string PrintServo(const ServoOptions& servo, const std::string& blanks) {
         fmt::format("{}{}: {}\n", blanks, key.name,
                     PrintQuantity(servo.*key.field, key.quantity.dimension));
   text += fmt::format("{}refresh: {}\n", blanks,
-                      RefreshNames()[static_cast<std::size_t>(servo.refresh)]);
+                      NameIn(kRefreshNames, servo.refresh));
   return text;
 }
 

@@ -338,14 +338,13 @@ std::optional<std::string> YamlValue::Text(std::string_view what) const {
   return std::nullopt;
 }
 
-std::optional<std::size_t> YamlValue::Choice(
-    const std::vector<std::string>& names) const {
+std::optional<std::size_t> YamlValue::IndexIn(
+    const std::vector<std::string_view>& names) const {
   const std::string written = is_scalar() ? text() : "";
   const auto found = std::find(names.begin(), names.end(), written);
   if (found != names.end())
     return static_cast<std::size_t>(found - names.begin());
-  const std::vector<std::string_view> known(names.begin(), names.end());
-  const auto nearest = Suggest(written, known);
+  const auto nearest = Suggest(written, names);
   Report(is_scalar() ? "P5107" : "P5103",
          fmt::format("expected {}, found {}", fmt::join(names, " or "),
                      Found(node_->node)),
@@ -440,12 +439,6 @@ bool YamlMap::Bool(std::string_view key, bool otherwise) {
 std::string YamlMap::Text(std::string_view key, const std::string& otherwise) {
   const std::optional<YamlValue> value = Find(key);
   return value ? value->Text("a name").value_or(otherwise) : otherwise;
-}
-
-std::size_t YamlMap::Choice(std::string_view key, std::size_t otherwise,
-                            const std::vector<std::string>& names) {
-  const std::optional<YamlValue> value = Find(key);
-  return value ? value->Choice(names).value_or(otherwise) : otherwise;
 }
 
 void YamlMap::Close() const {

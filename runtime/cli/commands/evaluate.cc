@@ -14,7 +14,7 @@
 #include "compiler/compile.h"
 #include "compiler/print.h"
 #include "grammar/shown_line.h"
-#include "runtime/cli/arguments/command.h"
+#include "runtime/cli/arguments/evaluate.h"
 #include "runtime/cli/commands/ask_tell.h"
 #include "runtime/cli/files/line_reader.h"
 #include "runtime/cli/files/load_yaml.h"

@@ -8,7 +8,7 @@
 #include "compiler/print.h"
 #include "grammar/number.h"
 #include "grammar/shown_line.h"
-#include "runtime/cli/arguments/command.h"
+#include "runtime/cli/arguments/robots.h"
 #include "runtime/cli/files/load_program.h"
 #include "runtime/cli/robots/robot_source.h"
 #include "runtime/develop/environment_json.h"

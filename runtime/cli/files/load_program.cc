@@ -55,14 +55,6 @@ std::optional<NamedEnvironment> ReadOne(const Program& program,
   return NamedEnvironment{std::move(name), *environment};
 }
 
-std::optional<Source> Read(const std::string& path, Io& io) {
-  Result<Source> source = ReadSource(path, io);
-  if (source) return std::move(*source);
-  io.err << fmt::format("error[{}]: {}\n", source.diagnostics()[0].code,
-                        Escaped(source.diagnostics()[0].message));
-  return std::nullopt;
-}
-
 CompileOptions Options(bool allow_range) {
   CompileOptions options;
   options.allow_out_of_range = allow_range;
@@ -152,7 +144,7 @@ std::optional<LoadedProgram> LoadWithMap(const std::string& path,
                                          bool allow_range, Io& io,
                                          const std::optional<Position>& at) {
   const GenotypePath from = SplitGenotypePath(path);
-  std::optional<Source> source = Read(from.file, io);
+  std::optional<Source> source = ReadOrReport(from.file, io);
   if (!source) return std::nullopt;
   std::vector<Diagnostic> warnings;
   auto all = Compiled(*source, allow_range, warnings, io);
@@ -168,7 +160,7 @@ std::optional<LoadedProgram> LoadWithMap(const std::string& path,
 std::optional<LoadedFile> LoadFile(const std::string& path, bool allow_range,
                                    Io& io) {
   const GenotypePath from = SplitGenotypePath(path);
-  std::optional<Source> source = Read(from.file, io);
+  std::optional<Source> source = ReadOrReport(from.file, io);
   if (!source) return std::nullopt;
   std::vector<Diagnostic> warnings;
   auto all = Compiled(*source, allow_range, warnings, io);
