@@ -29,7 +29,7 @@ ARROWS = {
     "runtime/vary": "compiler grammar",
     "runtime/evolve": "runtime/vary runtime/life runtime/scenario runtime/develop runtime/workers runtime/text compiler grammar sim",
     "runtime/pictures": "runtime/recording runtime/compare runtime/develop runtime/text compiler grammar sim",
-    "runtime/exports": "runtime/recording runtime/life runtime/scenario runtime/text sim",
+    "runtime/exports": "runtime/recording runtime/life runtime/scenario runtime/text grammar sim",
     "runtime/store": "runtime/evolve runtime/vary runtime/life runtime/scenario runtime/develop runtime/text compiler grammar sim",
     "runtime/history": "runtime/pictures runtime/compare runtime/develop runtime/text compiler grammar sim",
     "runtime/study": "runtime/store runtime/evolve runtime/text grammar",

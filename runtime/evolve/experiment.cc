@@ -5,6 +5,7 @@
 // an equal experiment, by which runs are known again.
 
 #include "runtime/evolve/experiment.h"
+#include "grammar/number.h"
 
 #include <fmt/format.h>
 
@@ -310,7 +311,8 @@ std::string PrintState(const State& state) {
     case StateType::kBool:
       return name;
     case StateType::kReal:
-      return fmt::format("{{{}: {}..{}}}", name, state.low, state.high);
+      return fmt::format("{{{}: {}..{}}}", name, PrintPlainNumber(state.low),
+                         PrintPlainNumber(state.high));
     case StateType::kEnum: {
       std::vector<std::string> values;
       for (const std::string& value : state.values)
@@ -324,7 +326,8 @@ std::string PrintState(const State& state) {
 std::string PrintVariation(const Experiment& experiment) {
   const MutationOptions& options = experiment.variation;
   std::string text;
-  text += fmt::format("clause_mutation: {}\n", options.clause_share);
+  text += fmt::format("clause_mutation: {}\n",
+                      PrintPlainNumber(options.clause_share));
   text += fmt::format("insertion: {}\n",
                       NameIn(kInsertionNames, options.insertion));
   text += fmt::format("removal: {}\n", NameIn(kRemovalNames, options.removal));
@@ -422,8 +425,9 @@ std::string PrintExperimentKeys(const Experiment& experiment, int indent) {
   text += fmt::format("population: {}\n", experiment.population);
   text += fmt::format("offspring: {}\n", experiment.offspring);
   text += fmt::format("generations: {}\n", experiment.generations);
-  text += fmt::format("mutation: {}\n", experiment.mutation);
-  text += fmt::format("crossover: {}\n", experiment.crossover);
+  text += fmt::format("mutation: {}\n", PrintPlainNumber(experiment.mutation));
+  text +=
+      fmt::format("crossover: {}\n", PrintPlainNumber(experiment.crossover));
   text += fmt::format("tournament: {}\n", experiment.tournament);
   text += PrintVariation(experiment);
   text += PrintGenotypeOptions(experiment.genotype);
