@@ -56,7 +56,7 @@ Obstacles ReadObstacles(YamlMap map) {
   obstacles.size = map.Number("size", obstacles.size, kWidth);
   obstacles.height = map.Number("height", obstacles.height, kHeight);
   if (map.place().error_count() == errors && obstacles.size > obstacles.spacing)
-    map.place().Report("P5108",
+    map.place().Report(Code::kMisfit,
                        fmt::format("obstacles of {} m do not fit squares of "
                                    "{} m",
                                    obstacles.size, obstacles.spacing),
@@ -72,7 +72,7 @@ Terrain ReadName(const YamlValue& value) {
   if (!choice) return terrain;
   terrain.type = static_cast<TerrainType>(*choice);
   if (terrain.type == TerrainType::kTilted)
-    value.Report("P5106", "expected the tilt of the ground",
+    value.Report(Code::kMissingKey, "expected the tilt of the ground",
                  "write 'terrain: {tilted: 5 deg}'");
   return terrain;
 }
@@ -88,7 +88,8 @@ Terrain ReadTerrain(const YamlValue& value) {
   YamlMap map = *value.Map("a terrain");
   Terrain terrain;
   if (map.Find("flat")) {
-    value.Report("P5103", "expected 'flat' alone: it has no parameters",
+    value.Report(Code::kWrongKind,
+                 "expected 'flat' alone: it has no parameters",
                  "write 'terrain: flat'");
     map.TakeAll();
     return terrain;
@@ -117,7 +118,7 @@ Terrain ReadTerrain(const YamlValue& value) {
   map.Close();
   // Of an unknown kind that is said already.
   if (named != 1 && value.error_count() == errors)
-    value.Report("P5106",
+    value.Report(Code::kMissingKey,
                  fmt::format("expected one kind of ground, found {}", named),
                  "write '{tilted: 5 deg}', '{rough: {...}}', '{steps: {...}}' "
                  "or '{obstacles: {...}}'");

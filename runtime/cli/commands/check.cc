@@ -47,7 +47,7 @@ FileCheck CheckOne(const std::string& name, const CheckCommand& command,
     const Diagnostic& problem = source.diagnostics()[0];
     CheckedFile file{Source(name, ""), {problem}};
     if (is_text)
-      io.err << fmt::format("error[{}]: {}\n", problem.code,
+      io.err << fmt::format("error[{}]: {}\n", NumberOf(problem.code),
                             Escaped(problem.message));
     else
       Show(file, command, io);

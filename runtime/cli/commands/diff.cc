@@ -53,7 +53,7 @@ std::optional<Version> ReadVersion(const std::string& path,
     source = Source(git_name, std::string(source->text()));
   if (!source) {
     const Diagnostic& problem = source.diagnostics()[0];
-    io.err << fmt::format("error[{}]: {}\n", problem.code,
+    io.err << fmt::format("error[{}]: {}\n", NumberOf(problem.code),
                           Escaped(problem.message));
     return std::nullopt;
   }

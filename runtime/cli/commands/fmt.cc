@@ -15,7 +15,8 @@ namespace {
 bool FormatOne(const std::string& file, const FmtCommand& command, Io& io) {
   const Result<Source> source = ReadSource(file, io);
   if (!source) {
-    io.err << fmt::format("error[{}]: {}\n", source.diagnostics()[0].code,
+    io.err << fmt::format("error[{}]: {}\n",
+                          NumberOf(source.diagnostics()[0].code),
                           Escaped(source.diagnostics()[0].message));
     return false;
   }

@@ -74,7 +74,8 @@ Exit Run(const ImportCommand& command, Io& io) {
   if (!CanWrite(OutputOf(command), io)) return Exit::kBadInput;
   const Result<Source> source = ReadSource(command.file, io);
   if (!source) {
-    io.err << fmt::format("error[{}]: {}\n", source.diagnostics()[0].code,
+    io.err << fmt::format("error[{}]: {}\n",
+                          NumberOf(source.diagnostics()[0].code),
                           Escaped(source.diagnostics()[0].message));
     return Exit::kBadInput;
   }

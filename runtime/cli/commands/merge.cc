@@ -44,7 +44,7 @@ std::optional<Version> ReadVersion(const std::string& path,
   Result<Source> read = ReadSource(path, io);
   if (!read) {
     const Diagnostic& problem = read.diagnostics()[0];
-    io.err << fmt::format("error[{}]: {}\n", problem.code,
+    io.err << fmt::format("error[{}]: {}\n", NumberOf(problem.code),
                           Escaped(problem.message));
     return std::nullopt;
   }

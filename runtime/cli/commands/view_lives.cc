@@ -73,7 +73,7 @@ std::optional<Viewed> LoadRecording(const std::string& path, Io& io) {
   Result<Source> source = ReadSource(path, io);
   if (!source) {
     const Diagnostic& problem = source.diagnostics()[0];
-    io.err << fmt::format("error[{}]: {}\n", problem.code,
+    io.err << fmt::format("error[{}]: {}\n", NumberOf(problem.code),
                           Escaped(problem.message));
     return std::nullopt;
   }

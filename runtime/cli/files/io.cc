@@ -36,20 +36,15 @@ class File {
   int descriptor_;
 };
 
-Diagnostic Unreadable(std::string code, std::string message) {
-  Diagnostic diagnostic;
-  diagnostic.code = std::move(code);
-  diagnostic.message = std::move(message);
-  return diagnostic;
-}
-
 Diagnostic CannotRead(const std::string& path, int error) {
-  return Unreadable(
-      "P5014", fmt::format("cannot read '{}': {}", path, std::strerror(error)));
+  return {Code::kUnreadableFile,
+          {},
+          fmt::format("cannot read '{}': {}", path, std::strerror(error))};
 }
 
 Diagnostic TooLarge(const std::string& path) {
-  return Unreadable("P5015", fmt::format("'{}' is larger than 16 MiB", path));
+  return {
+      Code::kTooLargeFile, {}, fmt::format("'{}' is larger than 16 MiB", path)};
 }
 
 Result<Source> ReadStandardInput(Io& io) {

@@ -58,7 +58,8 @@ std::optional<NamedEnvironment> ReadOne(const Program& program,
 std::optional<Source> Read(const std::string& path, Io& io) {
   Result<Source> source = ReadSource(path, io);
   if (source) return std::move(*source);
-  io.err << fmt::format("error[{}]: {}\n", source.diagnostics()[0].code,
+  io.err << fmt::format("error[{}]: {}\n",
+                        NumberOf(source.diagnostics()[0].code),
                         Escaped(source.diagnostics()[0].message));
   return std::nullopt;
 }

@@ -16,7 +16,8 @@ namespace {
 std::optional<Source> Load(const std::string& path, Io& io) {
   Result<Source> source = ReadSource(path, io);
   if (source) return std::move(*source);
-  io.err << fmt::format("error[{}]: {}\n", source.diagnostics()[0].code,
+  io.err << fmt::format("error[{}]: {}\n",
+                        NumberOf(source.diagnostics()[0].code),
                         Escaped(source.diagnostics()[0].message));
   return std::nullopt;
 }

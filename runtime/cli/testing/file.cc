@@ -45,7 +45,8 @@ std::string Explain(const std::vector<Diagnostic>& diagnostics,
 
 std::string Unreadable(const Result<Source>& source) {
   const Diagnostic& problem = source.diagnostics()[0];
-  return fmt::format("error[{}]: {}\n", problem.code, Escaped(problem.message));
+  return fmt::format("error[{}]: {}\n", NumberOf(problem.code),
+                     Escaped(problem.message));
 }
 
 std::string NamesOf(const Program& program) {
