@@ -234,7 +234,7 @@ Database::Failure Database::Open(const std::string& path, Mode mode) {
   real_path_ = mode == Mode::kMemory ? "" : RealPath(path);
   if (mode != Mode::kMemory) {
     if (Failure failure = CheckFile(path, mode == Mode::kWrite)) return failure;
-    const std::string shown = ShownPath(path);
+    const std::string shown = PrintablePath(path);
     const std::optional<FileId> file = FileIdOf(real_path_);
     if (!file || !ConnectedFiles().contains(*file))
       if (Failure failure = CheckCompanions(shown)) return failure;
@@ -305,7 +305,7 @@ Database::Failure Database::CheckInPlace(
   if (lost == nullptr) return std::nullopt;
   return fmt::format(
       "'{}{}' was deleted, moved or replaced while it was written to",
-      ShownPath(path_), lost);
+      PrintablePath(path_), lost);
 }
 
 std::string Database::Image() {

@@ -66,7 +66,7 @@ void NewFile::OpenNamed() {
   neighbour_.clear();
 }
 
-NewFile::Failure NewFile::Tell() const {
+NewFile::Failure NewFile::failure() const {
   if (error_ == 0) return std::nullopt;
   return fmt::format("cannot write to '{}': {}", path_, ReasonOf(error_));
 }
@@ -74,7 +74,7 @@ NewFile::Failure NewFile::Tell() const {
 NewFile::Failure NewFile::Write(std::string_view text) {
   pending_ += text;
   if (pending_.size() >= kBuffer) Flush();
-  return Tell();
+  return failure();
 }
 
 void NewFile::Flush() {
@@ -114,7 +114,7 @@ NewFile::Failure NewFile::Publish() {
   if (error_ == 0) Link(path_);
   if (error_ == 0 && !neighbour_.empty())
     unlink(std::exchange(neighbour_, "").c_str());
-  return Tell();
+  return failure();
 }
 
 NewFile::Failure NewFile::Replace() {
@@ -128,7 +128,7 @@ NewFile::Failure NewFile::Replace() {
   if (error_ == 0 && std::rename(neighbour_.c_str(), path_.c_str()) != 0)
     error_ = errno;
   if (error_ == 0) neighbour_.clear();
-  return Tell();
+  return failure();
 }
 
 }  // namespace plsc

@@ -43,7 +43,7 @@ class NewFile {
   void Flush();
   void Link(const std::string& name);
   std::string Neighbour();
-  Failure Tell() const;
+  Failure failure() const;
 
   std::string path_;
   std::string neighbour_;  // its name until it is whole; empty: it has none

@@ -13,6 +13,7 @@
 #include <system_error>
 #include <utility>
 
+#include "runtime/life/simulated.h"
 #include "runtime/store/companions.h"
 #include "runtime/store/create.h"
 #include "runtime/store/database.h"
@@ -85,9 +86,9 @@ struct RunStore::Parts {
   Failure ReadRun();
   /// That what is written goes into the file of this name.
   Failure CheckInPlace();
-  /// Of everything since the last failure that somebody heard of.
+  /// Of everything since the last failure that was reported.
   template <typename T>
-  Loaded<T> Tell(T value) {
+  Loaded<T> OrFailure(T value) {
     if (Failure failure = database.TakeFailure())
       return Loaded<T>::Failed(std::move(*failure));
     return value;
@@ -246,7 +247,7 @@ Loaded<SavedRun> RunStore::Load() {
     if (!last || last->pool.empty()) {
       parts_->database.Fail(fmt::format(
           "'{}' is damaged: its last generation cannot be read", path()));
-      return parts_->Tell(saved);
+      return parts_->OrFailure(saved);
     }
     std::map<int, int> counts;  // by id
     for (std::size_t i = 0; i < last->pool.size(); ++i)
@@ -265,7 +266,7 @@ Loaded<SavedRun> RunStore::Load() {
     else
       saved.evaluated.emplace(id, std::move(evaluation));
   }
-  return parts_->Tell(std::move(saved));
+  return parts_->OrFailure(std::move(saved));
 }
 
 Loaded<RunStatus> RunStore::Status() {
@@ -284,7 +285,7 @@ Loaded<RunStatus> RunStore::Status() {
     if (const auto last = reader.FindGeneration(status.generations - 1))
       status.best = last->best;
   status.is_finished = status.generations == experiment().generations;
-  return parts_->Tell(status);
+  return parts_->OrFailure(status);
 }
 
 Loaded<Individual> RunStore::Find(int id) {
@@ -292,13 +293,13 @@ Loaded<Individual> RunStore::Find(int id) {
   const Transaction instant(parts_->database);
   if (Failure failure = parts_->checks->Robot(experiment(), id))
     return Loaded<Individual>::Failed(*failure);
-  return parts_->Tell(parts_->reader->FindIndividual(id));
+  return parts_->OrFailure(parts_->reader->FindIndividual(id));
 }
 
 Loaded<int> RunStore::Born() {
   assert(parts_->reader);
   Statement last(parts_->database, "SELECT max(id) FROM individual");
-  return parts_->Tell(last.With().Next() ? last.TakeInt() : 0);
+  return parts_->OrFailure(last.With().Next() ? last.TakeInt() : 0);
 }
 
 Loaded<GenerationRecord> RunStore::Generation(int number) {
@@ -312,7 +313,7 @@ Loaded<GenerationRecord> RunStore::Generation(int number) {
   if (Failure failure = parts_->checks->Generation(number))
     return failed(*failure);
   auto record = parts_->reader->FindGeneration(number);
-  return parts_->Tell(std::move(record).value_or(GenerationRecord{}));
+  return parts_->OrFailure(std::move(record).value_or(GenerationRecord{}));
 }
 
 Loaded<std::vector<int>> RunStore::EvaluatedIds() {
@@ -322,7 +323,7 @@ Loaded<std::vector<int>> RunStore::EvaluatedIds() {
   Statement evaluated(parts_->database,
                       "SELECT DISTINCT individual FROM evaluation ORDER BY 1");
   for (evaluated.With(); evaluated.Next();) ids.push_back(evaluated.TakeInt());
-  return parts_->Tell(ids);
+  return parts_->OrFailure(ids);
 }
 
 Loaded<std::vector<SeasonEvidence>> RunStore::EvidenceOf(int id) {
@@ -330,7 +331,7 @@ Loaded<std::vector<SeasonEvidence>> RunStore::EvidenceOf(int id) {
   const Transaction instant(parts_->database);
   if (Failure failure = parts_->checks->Robot(experiment(), id))
     return Loaded<std::vector<SeasonEvidence>>::Failed(*failure);
-  return parts_->Tell(parts_->reader->FindEvidence(id));
+  return parts_->OrFailure(parts_->reader->FindEvidence(id));
 }
 
 std::vector<Ancestor> RunStore::Parts::FindLineage(int id, int distance) {
@@ -360,7 +361,7 @@ std::vector<Ancestor> RunStore::Parts::FindLineage(int id, int distance) {
 
 Loaded<std::vector<Ancestor>> RunStore::Lineage(int id, int distance) {
   assert(parts_->reader);
-  return parts_->Tell(parts_->FindLineage(id, distance));
+  return parts_->OrFailure(parts_->FindLineage(id, distance));
 }
 
 Failure RunStore::BeginSession(const SessionStart& start) {

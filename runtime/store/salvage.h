@@ -12,6 +12,7 @@
 
 #include "runtime/evolve/experiment.h"
 #include "runtime/evolve/simulation_cache.h"
+#include "runtime/life/simulated.h"
 #include "runtime/store/run_store.h"
 
 namespace plsc {

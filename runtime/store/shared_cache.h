@@ -10,6 +10,7 @@
 #include <string>
 
 #include "runtime/evolve/simulation_cache.h"
+#include "runtime/life/simulated.h"
 #include "runtime/store/database.h"
 
 namespace plsc {

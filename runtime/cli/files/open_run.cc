@@ -67,7 +67,7 @@ Loaded<std::vector<int>> EvaluatedIds(RunStore& store) {
   return ids;
 }
 
-std::string TellVersions(const Versions& versions) {
+std::string VersionsText(const Versions& versions) {
   return Escaped(fmt::format("plsc {}, ODE {}, compiler {}", versions.plsc,
                              versions.ode, versions.compiler));
 }
