@@ -47,8 +47,7 @@ FileCheck CheckOne(const std::string& name, const CheckCommand& command,
     const Diagnostic& problem = source.diagnostics()[0];
     CheckedFile file{Source(name, ""), {problem}};
     if (is_text)
-      io.err << fmt::format("error[{}]: {}\n", NumberOf(problem.code),
-                            Escaped(problem.message));
+      io.err << HeadlineOf(problem);
     else
       Report(file, command, io);
     return {{std::move(file)}, false, ""};

@@ -52,9 +52,7 @@ std::optional<Version> ReadVersion(const std::string& path,
   if (source && command.is_git)
     source = Source(git_name, std::string(source->text()));
   if (!source) {
-    const Diagnostic& problem = source.diagnostics()[0];
-    io.err << fmt::format("error[{}]: {}\n", NumberOf(problem.code),
-                          Escaped(problem.message));
+    io.err << HeadlineOf(source.diagnostics()[0]);
     return std::nullopt;
   }
   CompileOptions options;
@@ -70,8 +68,10 @@ std::optional<Version> ReadVersion(const std::string& path,
     return program.genotype.name != version.chosen;
   });
   if (!version.programs.empty()) return version;
-  io.err << fmt::format("error[P2019]: {} has no genotype '{}'\n",
-                        Escaped(from.file), version.chosen);
+  io.err << HeadlineOf(
+      {Code::kSeveralGenotypes,
+       {},
+       fmt::format("{} has no genotype '{}'", from.file, version.chosen)});
   return std::nullopt;
 }
 

@@ -52,13 +52,8 @@ bool Deliver(const std::string& file, const MendedText& mended,
 
 // Whether the file is (now) without errors.
 bool FixOne(const std::string& file, const FixCommand& command, Io& io) {
-  const Result<Source> source = ReadSource(file, io);
-  if (!source) {
-    io.err << fmt::format("error[{}]: {}\n",
-                          NumberOf(source.diagnostics()[0].code),
-                          Escaped(source.diagnostics()[0].message));
-    return false;
-  }
+  const std::optional<Source> source = LoadSource(file, io);
+  if (!source) return false;
   CompileOptions options;
   options.allow_out_of_range = command.allow_range;
   const MendedText mended = MendText(*source, options);

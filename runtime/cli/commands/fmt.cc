@@ -13,13 +13,8 @@ namespace {
 
 // Whether the file is (now) as it should be.
 bool FormatOne(const std::string& file, const FmtCommand& command, Io& io) {
-  const Result<Source> source = ReadSource(file, io);
-  if (!source) {
-    io.err << fmt::format("error[{}]: {}\n",
-                          NumberOf(source.diagnostics()[0].code),
-                          Escaped(source.diagnostics()[0].message));
-    return false;
-  }
+  const std::optional<Source> source = LoadSource(file, io);
+  if (!source) return false;
   FormatOptions options;
   options.compact = command.compact;
   const Result<std::string> formatted = Format(*source, options);

@@ -72,13 +72,8 @@ Exit Run(const ImportCommand& command, Io& io) {
     return Exit::kBadUsage;
   }
   if (!CanWrite(OutputOf(command), io)) return Exit::kBadInput;
-  const Result<Source> source = ReadSource(command.file, io);
-  if (!source) {
-    io.err << fmt::format("error[{}]: {}\n",
-                          NumberOf(source.diagnostics()[0].code),
-                          Escaped(source.diagnostics()[0].message));
-    return Exit::kBadInput;
-  }
+  const std::optional<Source> source = LoadSource(command.file, io);
+  if (!source) return Exit::kBadInput;
   ImportOptions options;
   options.name = !command.name.empty() ? command.name
                  : command.file == "-" ? "imported"

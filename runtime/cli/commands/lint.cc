@@ -23,8 +23,7 @@ bool LintOne(const std::string& file, const LintCommand& command, Io& io) {
     if (is_json)
       io.out << DiagnosticJson(problem, Source(file, "")) << '\n';
     else
-      io.err << fmt::format("error[{}]: {}\n", NumberOf(problem.code),
-                            Escaped(problem.message));
+      io.err << HeadlineOf(problem);
     return false;
   }
   CompileOptions options;

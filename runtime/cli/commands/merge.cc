@@ -41,13 +41,8 @@ std::vector<Diagnostic> ProblemsOf(const Source& source,
 std::optional<Version> ReadVersion(const std::string& path,
                                    const std::string& label,
                                    const MergeCommand& command, Io& io) {
-  Result<Source> read = ReadSource(path, io);
-  if (!read) {
-    const Diagnostic& problem = read.diagnostics()[0];
-    io.err << fmt::format("error[{}]: {}\n", NumberOf(problem.code),
-                          Escaped(problem.message));
-    return std::nullopt;
-  }
+  std::optional<Source> read = LoadSource(path, io);
+  if (!read) return std::nullopt;
   Source source = command.is_driver && !command.path.empty()
                       ? Source(fmt::format("{} ({})", command.path, label),
                                std::string(read->text()))

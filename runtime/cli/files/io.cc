@@ -13,6 +13,7 @@
 #include <iterator>
 #include <ostream>
 
+#include "grammar/shown_line.h"
 #include "runtime/cli/files/pipe_errors.h"
 
 namespace plsc::cli {
@@ -164,6 +165,18 @@ std::optional<std::string> WriteFile(const std::string& path,
   if (error == 0) error = errno;
   ::unlink(neighbour.c_str());
   return std::strerror(error);
+}
+
+std::string HeadlineOf(const Diagnostic& diagnostic) {
+  return fmt::format("error[{}]: {}\n", NumberOf(diagnostic.code),
+                     Escaped(diagnostic.message));
+}
+
+std::optional<Source> LoadSource(const std::string& path, Io& io) {
+  Result<Source> source = ReadSource(path, io);
+  if (source) return std::move(*source);
+  io.err << HeadlineOf(source.diagnostics()[0]);
+  return std::nullopt;
 }
 
 void Report(const std::vector<Diagnostic>& diagnostics, const Source& source,

@@ -66,6 +66,13 @@ bool IsWrittenInto(const std::string& path);
 std::string NeighbourOf(const std::string& real_path);
 std::string RealPath(const std::string& path);
 
+/// "error[P5014]: cannot read 'x': Permission denied" and a newline: of what
+/// has no place in a text.
+std::string HeadlineOf(const Diagnostic& diagnostic);
+
+/// As ReadSource; prints why not.
+std::optional<Source> LoadSource(const std::string& path, Io& io);
+
 /// Prints diagnostics to io.err.
 void Report(const std::vector<Diagnostic>& diagnostics, const Source& source,
             Io& io);

@@ -13,15 +13,6 @@ namespace plsc::cli {
 
 namespace {
 
-std::optional<Source> Load(const std::string& path, Io& io) {
-  Result<Source> source = ReadSource(path, io);
-  if (source) return std::move(*source);
-  io.err << fmt::format("error[{}]: {}\n",
-                        NumberOf(source.diagnostics()[0].code),
-                        Escaped(source.diagnostics()[0].message));
-  return std::nullopt;
-}
-
 void Report(const Findings& findings, Io& io) {
   for (const CheckedFile& file : findings)
     Report(file.diagnostics, file.source, io);
@@ -99,7 +90,7 @@ std::optional<Study> ReadStudyText(const Source& source, Findings& findings,
 
 std::optional<Scenario> LoadScenario(const std::string& path, Io& io) {
   if (path.empty()) return PaperScenario();
-  const std::optional<Source> source = Load(path, io);
+  const std::optional<Source> source = LoadSource(path, io);
   if (!source) return std::nullopt;
   Findings findings;
   auto scenario = ReadScenarioText(*source, findings);
@@ -108,7 +99,7 @@ std::optional<Scenario> LoadScenario(const std::string& path, Io& io) {
 }
 
 std::optional<Experiment> LoadExperiment(const std::string& path, Io& io) {
-  const std::optional<Source> source = Load(path, io);
+  const std::optional<Source> source = LoadSource(path, io);
   if (!source) return std::nullopt;
   Findings findings;
   auto experiment = ReadExperimentText(*source, findings, io);
@@ -117,7 +108,7 @@ std::optional<Experiment> LoadExperiment(const std::string& path, Io& io) {
 }
 
 std::optional<Study> LoadStudy(const std::string& path, Io& io) {
-  const std::optional<Source> source = Load(path, io);
+  const std::optional<Source> source = LoadSource(path, io);
   if (!source) return std::nullopt;
   Findings findings;
   auto study = ReadStudyText(*source, findings, io);
