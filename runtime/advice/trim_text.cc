@@ -1,3 +1,10 @@
+// Leaving bytes out of a text so that a person would not have left it
+// otherwise. What goes is first a list of spans, sorted, of which some may lie
+// within others; then the kept text is put together line by line: a line of
+// which something was cut and nothing but blanks or a comment is left goes, a
+// cut takes the blanks on one side along, and of two blank lines that meet one
+// stays. Comments right above a rule that goes are part of its span.
+
 #include "runtime/advice/trim_text.h"
 
 #include <algorithm>

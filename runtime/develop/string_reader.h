@@ -16,8 +16,6 @@
 
 namespace plsc {
 
-using Arguments = std::array<double, kMaxParameters>;
-
 class StringReader {
  public:
   explicit StringReader(const DevelopmentSettings& settings)
@@ -100,16 +98,6 @@ inline Effect StringReader::Read(SymbolId symbol, const Arguments& arguments) {
   }
   assert(false);
   return Effect::kStarted;
-}
-
-/// The arguments of the symbol that the occurrence names; the axiom has none.
-inline const Arguments& ArgumentsOf(const Genotype& genotype,
-                                    const Occurrence& occurrence) {
-  static constexpr Arguments kNone{};
-  return occurrence.rule == kNoRule ? kNone
-                                    : genotype.rules[occurrence.rule]
-                                          .production[occurrence.position]
-                                          .arguments;
 }
 
 }  // namespace plsc

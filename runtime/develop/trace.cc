@@ -122,7 +122,8 @@ void Tracer::BeforeMove(SymbolId symbol, Event& event) const {
   if (event.slot && IsJoint(reference.type)) event.slot = Slot::kFront;
 }
 
-// Modules, nodes and edges that are new since `event` began.
+// Modules, nodes and edges that are new since `event` began. A symbol makes one
+// module and one node at most, but as many edges as nodes are stacked.
 void Tracer::Credit(Event& event) {
   const auto known_nodes = static_cast<int>(trace_.node_origins.size());
   const auto known_edges = static_cast<int>(trace_.edge_origins.size());

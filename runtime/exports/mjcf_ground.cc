@@ -1,3 +1,8 @@
+// MuJoCo has planes, boxes and height fields, and so can hold all of our
+// grounds but their endlessness: hills and boxes end some metres from the
+// start, and the plane goes on below. It takes the larger friction of two
+// bodies that meet, so the ground has the robot's.
+
 #include "runtime/exports/mjcf_ground.h"
 
 #include <fmt/format.h>

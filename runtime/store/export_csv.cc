@@ -1,10 +1,10 @@
 #include <fmt/format.h>
 
-#include <charconv>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <utility>
 
+#include "grammar/number.h"
 #include "runtime/develop/environment_json.h"
 #include "runtime/store/database.h"
 #include "runtime/store/export.h"
@@ -43,9 +43,7 @@ std::string Header(const Statement& rows) {
 }
 
 int NumberOf(const std::string& cell) {
-  int number = 0;
-  std::from_chars(cell.data(), cell.data() + cell.size(), number);
-  return number;
+  return ReadNumber<int>(cell).value;
 }
 
 }  // namespace

@@ -1,3 +1,14 @@
+// A table from the key of a simulation to what it told, shared by any number of
+// runs and processes. A key says nothing of the program, so entries are kept by
+// engine, too: what is found was made by the same program on the same kind of
+// machine, or it is not found.
+//
+// No result may depend on it, so nothing that goes wrong here is an error of
+// the run: an entry whose checksum is wrong is dropped and simulated anew, a
+// file that cannot be used is not used any more, and a warning says so at the
+// end. The checksum is of key, engine and value together, so that a value in
+// the wrong row is no entry either.
+
 #include "runtime/store/shared_cache.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,11 @@
+// A forked process that answers requests until its socket ends. After the fork
+// it has copies of all that its owner had open: everything but its own socket
+// is closed, or a run's file and its locks would live on in it. It dies with
+// its owner, also with one that was gone before it could ask for that, ignores
+// what is meant for the group, and dies by the default of signals that mean a
+// crash, so that the owner can tell which. It ends by _exit: handlers and
+// buffers are the owner's.
+
 #include "runtime/workers/worker_process.h"
 
 #include <fmt/format.h>

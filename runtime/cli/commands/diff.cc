@@ -8,7 +8,7 @@
 #include "compiler/compile.h"
 #include "compiler/environment_text.h"
 #include "grammar/shown_line.h"
-#include "runtime/cli/arguments/command.h"
+#include "runtime/cli/arguments/git.h"
 #include "runtime/cli/files/load_program.h"
 #include "runtime/compare/difference_json.h"
 #include "runtime/compare/difference_text.h"
@@ -48,13 +48,9 @@ std::optional<Version> ReadVersion(const std::string& path,
   // Names of git's temporary files are no GenotypePath.
   const GenotypePath from =
       command.is_git ? GenotypePath{path, ""} : SplitGenotypePath(path);
-  Result<Source> source = ReadSource(from.file, io);
-  if (source && command.is_git)
-    source = Source(git_name, std::string(source->text()));
-  if (!source) {
-    io.err << HeadlineOf(source.diagnostics()[0]);
-    return std::nullopt;
-  }
+  std::optional<Source> source = ReadOrReport(from.file, io);
+  if (!source) return std::nullopt;
+  if (command.is_git) source = Source(git_name, std::string(source->text()));
   CompileOptions options;
   options.allow_out_of_range = command.allow_range;
   auto compiled = CompileAll(*source, options);
@@ -68,7 +64,7 @@ std::optional<Version> ReadVersion(const std::string& path,
     return program.genotype.name != version.chosen;
   });
   if (!version.programs.empty()) return version;
-  io.err << HeadlineOf(
+  io.err << RenderWithoutLine(
       {Code::kSeveralGenotypes,
        {},
        fmt::format("{} has no genotype '{}'", from.file, version.chosen)});
@@ -103,7 +99,7 @@ std::optional<GenotypeDifference> CompareOne(const Program& before,
   GenotypeDifference difference;
   difference.genotype = after.genotype.name;
   difference.environments =
-      CompareRobotsIn(shared->environments, before.genotype, after.genotype);
+      CompareRobots(shared->environments, before.genotype, after.genotype);
   difference.limitation = shared->limitation;
   return difference;
 }

@@ -8,8 +8,8 @@
 #include "compiler/changes/merge_lines.h"
 #include "compiler/changes/merge_program.h"
 #include "compiler/compile.h"
-#include "grammar/shown_line.h"
-#include "runtime/cli/arguments/command.h"
+#include "runtime/cli/arguments/git.h"
+#include "runtime/cli/files/output_file.h"
 #include "runtime/cli/files/output_path.h"
 
 namespace plsc::cli {
@@ -41,7 +41,7 @@ std::vector<Diagnostic> ProblemsOf(const Source& source,
 std::optional<Version> ReadVersion(const std::string& path,
                                    const std::string& label,
                                    const MergeCommand& command, Io& io) {
-  std::optional<Source> read = LoadSource(path, io);
+  std::optional<Source> read = ReadOrReport(path, io);
   if (!read) return std::nullopt;
   Source source = command.is_driver && !command.path.empty()
                       ? Source(fmt::format("{} ({})", command.path, label),
@@ -94,11 +94,7 @@ Output OutputOf(const MergeCommand& command) {
 bool WriteMerge(const std::string& text, const MergeCommand& command, Io& io) {
   if (!command.is_driver && !command.write_ours)
     return WriteOutput(OutputOf(command), text, io);
-  const auto failure = WriteFile(command.ours, text);
-  if (failure)
-    io.err << fmt::format("error: cannot write '{}': {}\n",
-                          Escaped(command.ours), *failure);
-  return !failure;
+  return WriteOrReport(command.ours, text, io);
 }
 
 Exit NotMerged(const MergeCommand& command, Io& io) {

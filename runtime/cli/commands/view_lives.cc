@@ -70,7 +70,7 @@ bool IsRobot(const std::string& word) {
 }
 
 std::optional<Viewed> LoadRecording(const std::string& path, Io& io) {
-  const std::optional<Source> source = LoadSource(path, io);
+  const auto source = ReadOrReport(path, io);
   if (!source) return std::nullopt;
   Result<Recording> recording = ParseRecording(*source);
   Report(recording.diagnostics(), *source, io);

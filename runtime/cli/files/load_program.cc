@@ -121,7 +121,7 @@ std::optional<std::size_t> Choose(const std::vector<MappedProgram>& all,
     names.push_back(all[i].program.genotype.name);
     if (names.back() == name) return i;
   }
-  io.err << HeadlineOf(
+  io.err << RenderWithoutLine(
       {Code::kSeveralGenotypes,
        {},
        fmt::format("{} has no genotype '{}'", source.name(), name)});
@@ -146,7 +146,7 @@ std::optional<LoadedProgram> LoadWithMap(const std::string& path,
                                          bool allow_range, Io& io,
                                          const std::optional<Position>& at) {
   const GenotypePath from = SplitGenotypePath(path);
-  std::optional<Source> source = LoadSource(from.file, io);
+  std::optional<Source> source = ReadOrReport(from.file, io);
   if (!source) return std::nullopt;
   std::vector<Diagnostic> warnings;
   auto all = Compiled(*source, allow_range, warnings, io);
@@ -162,7 +162,7 @@ std::optional<LoadedProgram> LoadWithMap(const std::string& path,
 std::optional<LoadedFile> LoadFile(const std::string& path, bool allow_range,
                                    Io& io) {
   const GenotypePath from = SplitGenotypePath(path);
-  std::optional<Source> source = LoadSource(from.file, io);
+  std::optional<Source> source = ReadOrReport(from.file, io);
   if (!source) return std::nullopt;
   std::vector<Diagnostic> warnings;
   auto all = Compiled(*source, allow_range, warnings, io);

@@ -76,7 +76,7 @@ Chosen Choose(const Program& program, const std::string& text) {
 }
 
 std::string TooLong(const Genotype& genotype) {
-  return HeadlineOf({Code::kTooLongString,
+  return RenderWithoutLine({Code::kTooLongString,
                      {},
                      fmt::format("development would produce more than {} "
                                  "symbols",
@@ -170,7 +170,7 @@ struct Loaded {
 std::optional<Loaded> Load(const TestPaths& paths, std::string& problem) {
   Result<Source> source = ReadPath(paths.genotype);
   if (!source) {
-    problem = HeadlineOf(source.diagnostics()[0]);
+    problem = RenderWithoutLine(source.diagnostics()[0]);
     return std::nullopt;
   }
   Result<Programs> programs = CompileAllWithMap(*source);
@@ -182,7 +182,7 @@ std::optional<Loaded> Load(const TestPaths& paths, std::string& problem) {
 std::optional<Golden> LoadGolden(const TestPaths& paths, std::string& problem) {
   const Result<Source> source = ReadPath(paths.golden);
   if (!source) {
-    problem = HeadlineOf(source.diagnostics()[0]);
+    problem = RenderWithoutLine(source.diagnostics()[0]);
     return std::nullopt;
   }
   Result<Golden> golden = ParseGolden(*source);
