@@ -36,7 +36,7 @@ ARROWS = {
     "runtime/report": "runtime/study runtime/store runtime/evolve runtime/pictures runtime/life runtime/scenario runtime/develop runtime/text compiler grammar sim",
     "runtime/lsp": "runtime/advice runtime/text compiler grammar",
     "runtime/pages": "runtime/text",
-    "runtime/cli/explanations": "",
+    "runtime/cli/explanations": "grammar",
     "runtime/cli/diagnostics": "runtime/cli/explanations *",
     "runtime/cli/files": "runtime/cli/diagnostics *",
     "runtime/cli/arguments": "runtime/cli/files *",
