@@ -57,9 +57,8 @@ std::vector<ExpectedSymbol> LowerExpectedString(const ast::File& file,
   for (Symbol& symbol : LowerSymbols(file, test.symbols, resolution)) {
     const auto at =
         test.symbols.first + static_cast<std::uint32_t>(expected.size());
-    const bool takes_any =
-        !file.symbols[at].has_parens &&
-        !(*scope.header.alphabet)[symbol.id].parameters.empty();
+    const bool takes_any = !file.symbols[at].has_parens &&
+                           !scope.header.SymbolOf(symbol.id).parameters.empty();
     expected.push_back({symbol, !takes_any});
   }
   return expected;

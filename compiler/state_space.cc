@@ -23,7 +23,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "compiler/print.h"
+#include "grammar/number.h"
 
 namespace plsc {
 
@@ -139,13 +139,6 @@ std::vector<ValueClass> ClassesOf(const State& state, std::vector<Cut> cuts) {
   return NamedClasses(count, cuts);
 }
 
-std::vector<const Clause*> ClausesOf(const Genotype& genotype) {
-  std::vector<const Clause*> clauses;
-  clauses.reserve(genotype.rules.size());
-  for (const Rule& rule : genotype.rules) clauses.push_back(&rule.clause);
-  return clauses;
-}
-
 std::string NameOf(int value, const State& state) {
   if (state.type == StateType::kBool) return value != 0 ? "True" : "False";
   return state.values[static_cast<std::size_t>(value)];
@@ -183,6 +176,21 @@ std::string ClassLabel(const ValueClass& values, const State& state) {
                      PrintNumber(values.high));
 }
 
+std::vector<const Clause*> ClausesOf(const Genotype& genotype) {
+  std::vector<const Clause*> clauses;
+  clauses.reserve(genotype.rules.size());
+  for (const Rule& rule : genotype.rules) clauses.push_back(&rule.clause);
+  return clauses;
+}
+
+std::vector<const Clause*> ClausesOf(const Genotype& one,
+                                     const Genotype& other) {
+  std::vector<const Clause*> clauses = ClausesOf(one);
+  const std::vector<const Clause*> more = ClausesOf(other);
+  clauses.insert(clauses.end(), more.begin(), more.end());
+  return clauses;
+}
+
 StateSpace::StateSpace(const Genotype& genotype)
     : StateSpace(ClausesOf(genotype), genotype.states) {}
 
@@ -201,8 +209,7 @@ StateSpace::StateSpace(std::span<const Clause* const> clauses,
     for (const Clause* clause : clauses)
       for (const Term& term : clause->terms)
         if (term.state == id) cuts.push_back(CutOf(term));
-    classes_.push_back(
-        ClassesOf(states[static_cast<std::size_t>(id)], std::move(cuts)));
+    classes_.push_back(ClassesOf(StateAt(states, id), std::move(cuts)));
     size *= classes_.back().size();
     // Without a size there are no strides either, and nobody may ask for one.
     if (size > kMaxCombinations) return;
@@ -230,8 +237,7 @@ std::string StateSpace::Describe(int index,
   std::string text;
   for (std::size_t i = 0; i < ids_.size(); ++i) {
     const std::string part =
-        DescribeClass(classes_[i][ClassAt(index, i)],
-                      states[static_cast<std::size_t>(ids_[i])]);
+        DescribeClass(classes_[i][ClassAt(index, i)], StateAt(states, ids_[i]));
     if (part.empty()) continue;
     if (!text.empty()) text += " and ";
     text += part;

@@ -24,14 +24,14 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <atomic>
 #include <cassert>
 #include <cmath>
 #include <cstdarg>
 #include <cstddef>
-#include <mutex>
 #include <utility>
 
-#include "sim/state_hash.h"
+#include "sim/fnv.h"
 #include "sim/world_ode.h"
 
 namespace plsc {
@@ -68,13 +68,13 @@ void CountWarning(int /*number*/, const char* /*format*/, va_list /*values*/) {
 /// ODE's own state, shared by all worlds and never closed: threads may still
 /// be stepping when the program ends.
 void OpenOde() {
-  static std::once_flag once;
-  std::call_once(once, [] {
+  [[maybe_unused]] static const bool is_open = [] {
     dInitODE2(0);
     dSetMessageHandler(CountWarning);
     dSetErrorHandler(Fail);
     dSetDebugHandler(Fail);
-  });
+    return true;
+  }();
 }
 
 }  // namespace
@@ -271,11 +271,11 @@ World::~World() {
   if (!ode_->is_lost) return;
   // ODE aborts on taking down what an interrupted step left behind. So it is
   // kept, within reach of leak checkers: about 0.1 MB, in a rare event.
-  static std::mutex mutex;
-  static Ode* kept = nullptr;
-  const std::lock_guard lock(mutex);
-  ode_->next_kept = kept;
-  kept = ode_.release();
+  static std::atomic<Ode*> kept = nullptr;
+  Ode* const ode = ode_.release();
+  ode->next_kept = kept;
+  while (!kept.compare_exchange_weak(ode->next_kept, ode)) {
+  }
 }
 
 void World::SetJointSpeed(int joint, double speed) {
@@ -364,7 +364,7 @@ int World::solver_warnings() const {
 }
 
 std::uint64_t World::Hash() const {
-  StateHash hash;
+  Fnv hash;
   for (const dBodyID body : ode_->bodies) {
     const dReal* quaternion = dBodyGetQuaternion(body);
     for (int i = 0; i < 3; ++i) hash.Add(dBodyGetPosition(body)[i]);

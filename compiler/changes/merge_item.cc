@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "compiler/changes/choose.h"
 #include "compiler/changes/merge_text.h"
 
 namespace plsc {
@@ -64,10 +65,8 @@ class ItemMerger {
     const std::string base = CoreText(base_);
     const std::string ours = CoreText(ours_);
     const std::string theirs = CoreText(theirs_);
-    if (ours == theirs || theirs == base) {
-      merged_.core = ours;
-    } else if (ours == base) {
-      merged_.core = theirs;
+    if (const std::string* chosen = Choose(base, ours, theirs)) {
+      merged_.core = *chosen;
     } else if (HasParts()) {
       MergeOpen();
       MergeBody();

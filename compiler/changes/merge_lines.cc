@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "compiler/changes/choose.h"
 #include "compiler/changes/line_edits.h"
 
 namespace plsc {
@@ -86,10 +87,8 @@ class LineMerger {
     const Piece base = Take(base_, base_done_, base_until);
     const Piece ours = Take(ours_, ours_done_, ours_until);
     const Piece theirs = Take(theirs_, theirs_done_, theirs_until);
-    if (ours == theirs || theirs == base)
-      Add(ours);
-    else if (ours == base)
-      Add(theirs);
+    if (const Piece* chosen = Choose(base, ours, theirs))
+      Add(*chosen);
     else
       AddConflict(base, ours, theirs);
   }

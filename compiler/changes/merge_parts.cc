@@ -13,6 +13,7 @@
 
 #include <algorithm>
 
+#include "compiler/changes/choose.h"
 #include "compiler/changes/merge_text.h"
 #include "compiler/changes/written_rules.h"
 
@@ -34,8 +35,7 @@ const WrittenPart* PartAt(const std::vector<WrittenPart>& parts, int index) {
 std::optional<PartContent> MergeContents(const PartContent& base,
                                          const PartContent& ours,
                                          const PartContent& theirs) {
-  if (ours == theirs || theirs == base) return ours;
-  if (ours == base) return theirs;
+  if (const PartContent* chosen = Choose(base, ours, theirs)) return *chosen;
   const std::size_t size = base.values.size();
   if (ours.name != base.name || theirs.name != base.name ||
       ours.values.size() != size || theirs.values.size() != size)
@@ -112,9 +112,8 @@ EditCosts CostsOfParts(const std::vector<WrittenPart>& from,
 std::optional<std::string> MergeValue(const std::string& base,
                                       const std::string& ours,
                                       const std::string& theirs) {
-  if (ours == theirs || theirs == base) return ours;
-  if (ours == base) return theirs;
-  return std::nullopt;
+  const std::string* chosen = Choose(base, ours, theirs);
+  return chosen != nullptr ? std::optional(*chosen) : std::nullopt;
 }
 
 MergedParts MergeParts(const PartVersions& versions, PartIdentity identity) {

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cctype>
 
+#include "compiler/changes/choose.h"
 #include "compiler/changes/written_items.h"
 
 namespace plsc {
@@ -29,9 +30,9 @@ bool IsOfWord(char c) {
 std::optional<std::string> MergeText(const TextVersion& base,
                                      const TextVersion& ours,
                                      const TextVersion& theirs) {
-  if (ours.text == theirs.text || theirs.text == base.text)
-    return std::string(ours.text);
-  if (ours.text == base.text) return std::string(theirs.text);
+  if (const std::string_view* chosen =
+          Choose(base.text, ours.text, theirs.text))
+    return std::string(*chosen);
   const auto old_comments = CommentsIn(base.text);
   const auto our_comments = CommentsIn(ours.text);
   const auto their_comments = CommentsIn(theirs.text);

@@ -23,6 +23,8 @@
 #include <numeric>
 #include <utility>
 
+#include "compiler/changes/choose.h"
+
 namespace plsc {
 
 namespace {
@@ -140,8 +142,8 @@ std::array<int, 3> ComesTo(const SequenceVersions& versions,
   const int base = ContentAt(versions.base, element.base);
   const int ours = ContentAt(versions.ours, element.ours);
   const int theirs = ContentAt(versions.theirs, element.theirs);
-  if (ours == theirs || theirs == base) return {ours, kNothing, kNothing};
-  if (ours == base) return {theirs, kNothing, kNothing};
+  if (const int* chosen = Choose(base, ours, theirs))
+    return {*chosen, kNothing, kNothing};
   return {base, ours, theirs};
 }
 

@@ -13,7 +13,7 @@
 #include <utility>
 
 #include "compiler/item_text.h"
-#include "compiler/print.h"
+#include "grammar/number.h"
 #include "grammar/parse.h"
 
 namespace plsc {

@@ -17,6 +17,7 @@
 #include "compiler/print.h"
 #include "runtime/develop/derive.h"
 #include "runtime/develop/develop.h"
+#include "runtime/develop/part_names.h"
 
 namespace plsc {
 
@@ -90,41 +91,26 @@ class InlineTestRun {
   std::optional<Diagnostic> Run() {
     const ActiveRules active = Regulate(genotype_, test_.environment);
     const auto string = Derive(genotype_, active);
-    if (!string) {
-      Diagnostic diagnostic = Fail(spans_.name);
-      diagnostic.code = "P4001";
-      diagnostic.label = fmt::format(
-          "development would produce more than {} symbols", kMaxStringLength);
-      return diagnostic;
-    }
+    if (!string)
+      return Fail(spans_.name, Code::kTooLongString)
+          .WithLabel(
+              fmt::format("development would produce more than {} symbols",
+                          kMaxStringLength));
     if (test_.body.empty()) return CompareString(*string);
     return CompareBody(Develop(genotype_, *string).body);
   }
 
  private:
-  Diagnostic Fail(Span where) const {
-    Diagnostic diagnostic;
-    diagnostic.code = "P4002";
-    diagnostic.span = where;
-    diagnostic.message = fmt::format("test '{}' fails", test_.name);
-    if (!test_.place.empty())
-      diagnostic.message += fmt::format(" in {}", test_.place);
-    return diagnostic;
-  }
-
-  Symbol Written(const Occurrence& occurrence) const {
-    if (occurrence.rule == kNoRule) return {occurrence.symbol, {}};
-    return genotype_.rules[occurrence.rule].production[occurrence.position];
-  }
-
-  std::string Text(const Occurrence& occurrence) const {
-    return PrintSymbol(Written(occurrence), *genotype_.alphabet);
+  Diagnostic Fail(Span where, Code code = Code::kFailedTest) const {
+    return {code, where,
+            fmt::format("test '{}' fails{}{}", test_.name,
+                        test_.place.empty() ? "" : " in ", test_.place)};
   }
 
   bool IsExpected(const ExpectedSymbol& expected,
                   const Occurrence& found) const {
     if (!expected.has_arguments) return expected.symbol.id == found.symbol;
-    return expected.symbol == Written(found);
+    return expected.symbol == SymbolAt(genotype_, found);
   }
 
   std::optional<Diagnostic> CompareString(const SymbolString& found) const {
@@ -136,14 +122,14 @@ class InlineTestRun {
     Diagnostic diagnostic =
         Fail(at < expected.size() ? spans_.symbols[at] : spans_.close);
     if (at == expected.size())
-      diagnostic.label =
-          fmt::format("the string goes on with {}", Text(found[at]));
+      diagnostic.label = fmt::format("the string goes on with {}",
+                                     SymbolText(genotype_, found[at]));
     else if (at == found.size())
       diagnostic.label = fmt::format("the string ends before this, after {}",
                                      Count(found.size(), "symbol"));
     else
-      diagnostic.label =
-          fmt::format("symbol {} of the string is {}", at + 1, Text(found[at]));
+      diagnostic.label = fmt::format("symbol {} of the string is {}", at + 1,
+                                     SymbolText(genotype_, found[at]));
     diagnostic.notes.push_back("developed: " + Excerpt(found));
     return diagnostic;
   }
@@ -155,7 +141,7 @@ class InlineTestRun {
   std::string Excerpt(const SymbolString& string) const {
     std::string text;
     for (std::size_t i = 0; i < string.size() && i < kExcerptSymbols; ++i)
-      text += (i > 0 ? " " : "") + Text(string[i]);
+      text += (i > 0 ? " " : "") + SymbolText(genotype_, string[i]);
     if (string.size() > kExcerptSymbols)
       text += fmt::format(" ... ({} symbols)", string.size());
     return text;
@@ -190,28 +176,24 @@ class InlineTestRun {
                         const std::vector<ExpectedModule>& found,
                         std::size_t at) const {
     const auto name = [&](const ExpectedModule& module) {
-      return (*genotype_.alphabet)[module.symbol].name;
+      return genotype_.SymbolOf(module.symbol).name;
     };
     const bool is_same_place = at < expected.size() && at < found.size() &&
                                expected[at].module.depth == found[at].depth &&
                                expected[at].module.face == found[at].face;
-    if (is_same_place) {
-      Diagnostic diagnostic = Fail(expected[at].span);
-      diagnostic.label = fmt::format("this module is {}", name(found[at]));
-      return diagnostic;
-    }
+    if (is_same_place)
+      return Fail(expected[at].span)
+          .WithLabel(fmt::format("this module is {}", name(found[at])));
     if (at < found.size() && IsExtra(expected, found, at)) {
       // The parent has been expected: it stands before.
       std::size_t parent = at - 1;
       while (expected[parent].module.depth >= found[at].depth) --parent;
-      Diagnostic diagnostic = Fail(expected[parent].span);
-      diagnostic.label = fmt::format("has {} at its {}, which is not expected",
-                                     name(found[at]), FaceName(found[at].face));
-      return diagnostic;
+      return Fail(expected[parent].span)
+          .WithLabel(fmt::format("has {} at its {}, which is not expected",
+                                 name(found[at]),
+                                 NameIn(kFaceNames, found[at].face)));
     }
-    Diagnostic diagnostic = Fail(expected[at].span);
-    diagnostic.label = "there is no such module";
-    return diagnostic;
+    return Fail(expected[at].span).WithLabel("there is no such module");
   }
 
   // Whether the walk of what was found meets a module first there.

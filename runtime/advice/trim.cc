@@ -242,7 +242,7 @@ class Trimmer {
     // A replaceable symbol may be a call; the first of C's rules is the core.
     for (std::size_t r = 0; r < genotype.rules.size(); ++r)
       for (std::size_t s = 0; s < pieces[r].size(); ++s)
-        if ((*genotype.alphabet)[genotype.rules[r].production[s].id]
+        if (genotype.SymbolOf(genotype.rules[r].production[s].id)
                 .is_replaceable)
           (*is_used)[pieces[r][s]] = true;
     for (const Regime& regime : target.regimes) {
@@ -305,10 +305,10 @@ Result<Trimmed> Trim(const Source& source, const TrimOptions& options) {
     const Genotype& genotype = (*after)[p].genotype;
     assert(genotype == trimmer.genotype(p));
     auto proof = options.lived.empty()
-                     ? CompareRobots(before.genotype, genotype,
-                                     before.environments, Compared::kAll)
-                     : CompareRobots(before.genotype, genotype,
-                                     options.lived[p], Compared::kNamed);
+                     ? CompareRegimes(before.genotype, genotype,
+                                      before.environments, Compared::kAll)
+                     : CompareRegimes(before.genotype, genotype,
+                                      options.lived[p], Compared::kNamed);
     assert(proof && AreSame(*proof));
     trimmed.genotypes.push_back({genotype.name, CountPieces(before.genotype),
                                  CountPieces(genotype), std::move(*proof)});

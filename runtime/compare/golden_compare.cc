@@ -13,7 +13,7 @@
 #include <cmath>
 #include <map>
 
-#include "compiler/print.h"
+#include "grammar/number.h"
 #include "runtime/compare/robot_parts.h"
 
 namespace plsc {
@@ -105,7 +105,7 @@ void CompareBodies(const Observation& expected, const Observation& found,
   if (!expected.robot) return;
   const GoldenRobot& e = *expected.robot;
   const GoldenRobot& f = *found.robot;
-  CompareRobots(e, f, differences);
+  CompareParts(e, f, differences);
   CompareValues(e.body_descriptors, f.body_descriptors, tolerance, differences);
   CompareValues(e.brain_descriptors, f.brain_descriptors, tolerance,
                 differences);

@@ -60,7 +60,7 @@ std::vector<Difference> CompareDeveloped(
     return differences;
   }
   if (before->robot && after->robot)
-    CompareRobots(*before->robot, *after->robot, differences);
+    CompareParts(*before->robot, *after->robot, differences);
   else if (before->robot || after->robot)
     differences.push_back(
         {after->robot ? DifferenceKind::kAdded : DifferenceKind::kMissing,
@@ -72,7 +72,7 @@ std::vector<Difference> CompareDeveloped(
 
 }  // namespace
 
-std::vector<EnvironmentDifference> CompareRobotsIn(
+std::vector<EnvironmentDifference> CompareRobots(
     const std::vector<SharedEnvironment>& environments, const Genotype& before,
     const Genotype& after) {
   Developer old_robots(before);

@@ -18,7 +18,7 @@ namespace {
 
 std::span<const Occurrence> Successor(const ActiveRules& active,
                                       const Insertion& insertion) {
-  return active.joined[static_cast<std::size_t>(insertion.occurrence.symbol)];
+  return active.joined[insertion.occurrence.symbol];
 }
 
 // The string after one more rewriting, its new symbols added to `derivation`;

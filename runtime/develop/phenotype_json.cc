@@ -5,11 +5,11 @@
 
 #include "runtime/develop/phenotype_json.h"
 
-#include <array>
 #include <nlohmann/json.hpp>
 
 #include "runtime/develop/descriptors_json.h"
 #include "runtime/develop/environment_json.h"
+#include "runtime/develop/part_names.h"
 #include "runtime/develop/regulate.h"
 #include "runtime/develop/symbol_json.h"
 
@@ -18,11 +18,6 @@ namespace plsc {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-const char* FacingName(Facing facing) {
-  constexpr std::array<const char*, 4> kNames{"front", "left", "back", "right"};
-  return kNames[static_cast<std::size_t>(facing)];
-}
 
 // Recursion is as deep as the body, at most max_modules.
 Json ModuleJson(const Body& body, int index) {
@@ -36,20 +31,12 @@ Json ModuleJson(const Body& body, int index) {
   json["y"] = is_sensor ? Json(nullptr) : Json(module.y);
   json["facing"] = is_sensor ? Json(nullptr) : Json(FacingName(module.facing));
   Json children = Json::object();
-  constexpr std::array<std::pair<Slot, const char*>, kSlots> kOrder{
-      {{Slot::kFront, "front"},
-       {Slot::kLeft, "left"},
-       {Slot::kRight, "right"},
-       {Slot::kBack, "back"}}};
-  for (const auto& [slot, name] : kOrder)
+  for (const Slot slot : {Slot::kFront, Slot::kLeft, Slot::kRight, Slot::kBack})
     if (module.child(slot) != kNoModule)
-      children[name] = ModuleJson(body, module.child(slot));
+      children[std::string(SlotName(slot))] =
+          ModuleJson(body, module.child(slot));
   json["children"] = std::move(children);
   return json;
-}
-
-std::string NodeName(int index) {
-  return "node" + std::to_string(index + 1);
 }
 
 Json BrainOf(const Phenotype& phenotype) {

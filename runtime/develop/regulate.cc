@@ -57,8 +57,7 @@ Successors JoinAll(const Genotype& genotype,
   return {std::move(occurrences), std::move(begins)};
 }
 
-}  // namespace
-
+/// In order.
 std::vector<RuleIndex> RulesThatHold(const Genotype& genotype,
                                      const Environment& environment) {
   std::vector<RuleIndex> rules;
@@ -68,6 +67,8 @@ std::vector<RuleIndex> RulesThatHold(const Genotype& genotype,
       rules.push_back(static_cast<RuleIndex>(i));
   return rules;
 }
+
+}  // namespace
 
 Successors::Successors(std::vector<Occurrence> occurrences,
                        std::vector<std::uint32_t> begins)

@@ -42,10 +42,8 @@ Genotype WithJoinedRules(Genotype genotype, const Environment& environment) {
   for (const SymbolRules& symbol : BySymbol(genotype, active)) {
     if (symbol.active.size() < 2) continue;
     std::vector<Symbol> production;
-    for (const Occurrence& occurrence :
-         active.joined[static_cast<std::size_t>(symbol.symbol)])
-      production.push_back(
-          genotype.rules[occurrence.rule].production[occurrence.position]);
+    for (const Occurrence& occurrence : active.joined[symbol.symbol])
+      production.push_back(SymbolAt(genotype, occurrence));
     grown.emplace_back(symbol.active.front(), std::move(production));
   }
   for (auto& [rule, production] : grown)

@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <charconv>
 #include <cmath>
 #include <string_view>
 #include <utility>
@@ -19,6 +18,7 @@
 #include "compiler/compile.h"
 #include "compiler/limits.h"
 #include "compiler/print.h"
+#include "grammar/number.h"
 #include "runtime/evolve/simulated_frame.h"
 #include "runtime/life/simulated.h"
 
@@ -36,10 +36,7 @@ std::string_view TakeLine(std::string_view& text) {
 }
 
 std::size_t TakeNumber(std::string_view& text) {
-  const std::string_view line = TakeLine(text);
-  std::size_t number = 0;
-  std::from_chars(line.data(), line.data() + line.size(), number);
-  return number;
+  return ReadNumber<std::size_t>(TakeLine(text)).value;
 }
 
 /// s that the largest robot's season takes, about (sim/options.h). One of 256

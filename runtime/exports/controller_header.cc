@@ -6,12 +6,14 @@
 // a user wrote can end a comment or a line (InComment).
 
 #include "runtime/exports/controller_header.h"
+#include "grammar/number.h"
 
 #include <fmt/format.h>
 
 #include <numbers>
 
 #include "runtime/exports/controller_tables.h"
+#include "runtime/scenario/scenario_physics.h"
 #include "sim/controller.h"
 
 namespace plsc {
@@ -46,7 +48,7 @@ std::string InComment(const std::string& text) {
 
 /// A constant of type double.
 std::string DoubleText(double number) {
-  const std::string text = fmt::format("{}", number == 0 ? 0.0 : number);
+  const std::string text = PrintPlainNumber(number == 0 ? 0.0 : number);
   return text.find_first_of(".e") == std::string::npos ? text + ".0" : text;
 }
 
@@ -72,9 +74,10 @@ constexpr const char* kUse = R"( *
 /// Which of the two plsc ran, and when.
 std::string Mode(const SimulationOptions& options) {
   const bool is_coupled = options.controller == ControllerMode::kCoupled;
-  std::string text = fmt::format(
-      " *\n * plsc ran `controller: {}`, which is @_{}.\n",
-      ControllerName(options.controller), is_coupled ? "update" : "oscillate");
+  std::string text =
+      fmt::format(" *\n * plsc ran `controller: {}`, which is @_{}.\n",
+                  NameIn(kControllerNames, options.controller),
+                  is_coupled ? "update" : "oscillate");
   if (options.servo.refresh == Refresh::kLate)
     text += fmt::format(
         " * It did so with `refresh: late`: not at these times but at the "

@@ -12,6 +12,7 @@
 
 #include "runtime/exports/exported_ground.h"
 #include "runtime/recording/recording.h"
+#include "runtime/scenario/scenario_physics.h"
 #include "runtime/scenario/scenario_profile.h"
 
 namespace plsc {
@@ -65,7 +66,8 @@ SimulationOptions ExportedOptions() {
 }
 
 std::string BoxName(const Body& body, const Box& box) {
-  return std::string(PartName(box.part)) + "_" + ModuleId(body, box.module);
+  return std::string(NameIn(kPartNames, box.part)) + "_" +
+         ModuleId(body, box.module);
 }
 
 std::string BoxName(const RobotModel& model, const Box& box) {
@@ -94,14 +96,6 @@ std::array<double, 3> AuthorsColour(ModuleType type) {
   return {};
 }
 
-std::string_view ControllerName(ControllerMode mode) {
-  return mode == ControllerMode::kCoupled ? "coupled" : "open_loop";
-}
-
-std::string_view RefreshName(Refresh refresh) {
-  return refresh == Refresh::kExact ? "exact" : "late";
-}
-
 std::string NotesOn(const RobotModel& model) {
   const ServoOptions& servo = model.options.servo;
   const PhysicsOptions& physics = model.options.physics;
@@ -116,8 +110,9 @@ std::string NotesOn(const RobotModel& model) {
       "friction {}, in steps of {} s.",
       model.name, model.environment, servo.max_torque, servo.update_rate,
       servo.gain, servo.max_speed, servo.max_speed,
-      ControllerName(model.options.controller), GroundText(model.terrain),
-      physics.gravity, physics.friction, physics.step);
+      NameIn(kControllerNames, model.options.controller),
+      GroundText(model.terrain), physics.gravity, physics.friction,
+      physics.step);
 }
 
 }  // namespace plsc

@@ -5,6 +5,7 @@
 #include <cassert>
 #include <cstddef>
 
+#include "grammar/number.h"
 #include "runtime/exports/robot_model.h"
 
 namespace plsc {
@@ -111,7 +112,7 @@ std::string Oscillators(const Brain& brain) {
 }  // namespace
 
 std::string YamlFloat(double number) {
-  std::string text = fmt::format("{}", number);
+  std::string text = PrintPlainNumber(number);
   const std::size_t exponent = text.find('e');
   if (text.find('.') == std::string::npos)
     text.insert(exponent == std::string::npos ? text.size() : exponent, ".0");

@@ -9,8 +9,9 @@
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
 #include <utility>
+
+#include "grammar/number.h"
 
 namespace plsc::lsp {
 
@@ -102,11 +103,10 @@ std::string FrameReader::ReadHeaderLine(std::string_view line) {
   // Content-Type says what is always so (UTF-8); others are for others.
   if (!EqualsIgnoringCase(name, "Content-Length")) return "";
   const std::string_view value = Trimmed(line.substr(colon + 1));
-  const auto [end, error] =
-      std::from_chars(value.data(), value.data() + value.size(), length_);
-  if (error != std::errc() || end != value.data() + value.size() ||
-      length_ > kMaxBodyBytes)
+  const auto length = ParseNumber<std::size_t>(value);
+  if (!length || *length > kMaxBodyBytes)
     return fmt::format("expected a Content-Length of 0 to {}", kMaxBodyBytes);
+  length_ = *length;
   has_length_ = true;
   return "";
 }

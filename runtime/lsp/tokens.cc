@@ -10,6 +10,7 @@
 #include <array>
 
 #include "grammar/keywords.h"
+#include "grammar/utf8.h"
 
 namespace plsc::lsp {
 
@@ -76,12 +77,7 @@ Piece FirstPiece(std::string_view rest) {
     if (rest.starts_with(name)) return {TokenKind::kOperator, name.size()};
   if (rest.starts_with("..")) return {TokenKind::kMark, 2};
   if (IsMark(c)) return {TokenKind::kMark, 1};
-  // Bytes 10xxxxxx continue a UTF-8 character.
-  std::size_t length = 1;
-  while (length < rest.size() &&
-         (static_cast<unsigned char>(rest[length]) & 0xC0U) == 0x80U)
-    ++length;
-  return {TokenKind::kOther, length};
+  return {TokenKind::kOther, CharacterLength(rest, 0)};
 }
 
 }  // namespace

@@ -15,11 +15,12 @@
 #include <numbers>
 #include <vector>
 
+#include "grammar/utf8.h"
 #include "runtime/pictures/map_view.h"
 #include "runtime/pictures/svg_style.h"
 #include "runtime/pictures/top_view.h"
 #include "runtime/recording/recording.h"
-#include "runtime/text/utf8.h"
+#include "runtime/text/quantity.h"
 #include "runtime/text/xml.h"
 
 namespace plsc {
@@ -214,7 +215,6 @@ std::string ArrowSvg(const Terrain& terrain, const MapView& view) {
 }
 
 std::string HeadingSvg(const RecordedSeason& season, const MapView& view) {
-  constexpr double kCentimetres = 100;  // the paper's unit of Speed
   std::string fate =
       season.speed
           ? fmt::format("{}, speed {:.2f} cm/s", OutcomeName(season.outcome),

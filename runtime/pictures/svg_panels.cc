@@ -11,7 +11,7 @@
 #include <cmath>
 #include <iterator>
 
-#include "runtime/text/utf8.h"
+#include "grammar/utf8.h"
 #include "runtime/text/xml.h"
 
 namespace plsc {
@@ -37,8 +37,8 @@ constexpr int kSubtitleSize = 14;
 constexpr int kLegendSize = 15;
 
 int TextWidth(const std::string& text, int size) {
-  return static_cast<int>(
-             std::ceil(static_cast<double>(LettersOf(text)) * kLetter * size)) +
+  return static_cast<int>(std::ceil(static_cast<double>(CountCharacters(text)) *
+                                    kLetter * size)) +
          1;
 }
 

@@ -3,12 +3,13 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <span>
 #include <utility>
 
+#include "grammar/enum_names.h"
+#include "grammar/number.h"
 #include "runtime/recording/recording_json.h"
 #include "runtime/recording/track.h"
 #include "runtime/scenario/scenario_terrain.h"
@@ -43,20 +44,18 @@ Eigen::Matrix<double, kSize, 1> ReadVector(JsonReader& reader,
     ++count;
   });
   if (count != kSize)
-    reader.Error(object, "P5108",
+    reader.Error(object, Code::kMisfit,
                  fmt::format("expected {} numbers for '{}', found {}", kSize,
                              key, count));
   return vector;
 }
 
-// The enumerator, counted from 0 up to `last`, whose name the text is.
-template <typename Enum, typename Name>
+template <typename Enum, std::size_t N>
 Enum ReadEnum(JsonReader& reader, const JsonValue& object, std::string_view key,
-              Enum last, Name name) {
+              const EnumNames<Enum, N>& names) {
   const std::string text = reader.Text(object, key);
-  for (int i = 0; i <= static_cast<int>(last); ++i)
-    if (name(static_cast<Enum>(i)) == text) return static_cast<Enum>(i);
-  reader.Error(object, "P5107",
+  if (const std::optional<Enum> value = ValueIn(names, text)) return *value;
+  reader.Error(object, Code::kUnknownWord,
                fmt::format("unknown value '{}' for '{}'", text, key));
   return Enum{};
 }
@@ -76,15 +75,13 @@ std::optional<double> ReadOptional(JsonReader& reader, const JsonValue& object,
 
 std::uint64_t ReadSeed(JsonReader& reader, const JsonValue& object) {
   const std::string text = reader.Text(object, "seed");
-  std::uint64_t seed = 0;
-  const char* end = text.data() + text.size();
-  const auto [last, error] = std::from_chars(text.data(), end, seed);
-  if (error != std::errc{} || last != end)
-    reader.Error(object, "P5103",
+  const auto seed = ParseNumber<std::uint64_t>(text);
+  if (!seed)
+    reader.Error(object, Code::kWrongKind,
                  fmt::format("expected a whole number as text for 'seed', "
                              "found '{}'",
                              text));
-  return seed;
+  return seed.value_or(0);
 }
 
 std::span<const std::string_view> TerrainKeys(TerrainType type) {
@@ -116,8 +113,7 @@ Terrain ReadTerrainJson(JsonReader& reader, const JsonValue& value) {
     reader.Wrong(value, "an object");
     return terrain;
   }
-  terrain.type =
-      ReadEnum(reader, value, "type", TerrainType::kObstacles, &TerrainName);
+  terrain.type = ReadEnum(reader, value, "type", kTerrainNames);
   reader.IsObject(value, TerrainKeys(terrain.type));
   switch (terrain.type) {
     case TerrainType::kFlat:
@@ -151,14 +147,14 @@ RecordedBox ReadBox(JsonReader& reader, const JsonValue& value,
   RecordedBox box;
   if (!reader.IsObject(value, kKnown)) return box;
   box.module = ReadIndex(reader, value, "module", modules);
-  box.part = ReadEnum(reader, value, "part", Part::kSensor, &PartName);
+  box.part = ReadEnum(reader, value, "part", kPartNames);
   box.size = ReadVector<3>(reader, value, "size");
   box.centre = ReadVector<3>(reader, value, "centre");
   box.turn = ReadVector<4>(reader, value, "turn");
   if ((box.size.array() <= 0).any())
-    reader.Error(value, "P5104", "a box has sides of more than 0 m");
+    reader.Error(value, Code::kOutOfRange, "a box has sides of more than 0 m");
   if (std::abs(box.turn.norm() - 1) > kUnitTolerance)
-    reader.Error(value, "P5108",
+    reader.Error(value, Code::kMisfit,
                  "expected a quaternion of length 1 for "
                  "'turn'");
   return box;
@@ -172,12 +168,14 @@ RecordedLink ReadLink(JsonReader& reader, const JsonValue& value,
   if (!reader.IsObject(value, kKnown)) return link;
   link.mass = reader.Number(value, "mass");
   if (!(link.mass > 0))
-    reader.Error(value, "P5104", "a link has a mass of more than 0 kg");
+    reader.Error(value, Code::kOutOfRange,
+                 "a link has a mass of more than 0 kg");
   link.rest = ReadVector<3>(reader, value, "rest");
   reader.List(value, "boxes", [&](const JsonValue& box) {
     link.boxes.push_back(ReadBox(reader, box, modules));
   });
-  if (link.boxes.empty()) reader.Error(value, "P5108", "a link has boxes");
+  if (link.boxes.empty())
+    reader.Error(value, Code::kMisfit, "a link has boxes");
   return link;
 }
 
@@ -204,8 +202,7 @@ RecordedBody ReadBody(JsonReader& reader, const JsonValue& value) {
   reader.List(value, "modules", [&](const JsonValue& module) {
     if (!reader.IsObject(module, kModule)) return;
     body.modules.push_back({reader.Text(module, "id"),
-                            ReadEnum(reader, module, "type",
-                                     ModuleType::kTouchSensor, &ModuleName)});
+                            ReadEnum(reader, module, "type", kModuleNames)});
   });
   reader.List(value, "links", [&](const JsonValue& link) {
     body.links.push_back(ReadLink(reader, link, body.modules.size()));
@@ -233,12 +230,12 @@ Eigen::MatrixXd ReadTrack(JsonReader& reader, const JsonValue& motion,
     const double unit = reader.Number(track, "unit");
     if (unit != shape.unit)
       reader.Error(
-          track, "P5107",
+          track, Code::kUnknownWord,
           fmt::format("expected {} for 'unit', found {}", shape.unit, unit));
     const auto found = reader.Integer(track, "rows", 0, kMaxInt);
     // Nothing was moving where nothing was simulated.
     if (found != (shape.samples == 0 ? 0 : rows)) {
-      reader.Error(track, "P5108",
+      reader.Error(track, Code::kMisfit,
                    fmt::format("expected {} rows for '{}', as the body has, "
                                "found {}",
                                rows, key, found));
@@ -248,7 +245,7 @@ Eigen::MatrixXd ReadTrack(JsonReader& reader, const JsonValue& motion,
             DecodeTrack(reader.Text(track, "data"), found, shape.samples, unit))
       numbers = std::move(*decoded);
     else
-      reader.Error(track, "P5108",
+      reader.Error(track, Code::kMisfit,
                    fmt::format("'data' is not {} times {} numbers", found,
                                shape.samples));
   });
@@ -262,7 +259,7 @@ void ReadSteps(JsonReader& reader, const JsonValue& value, Eigen::Index samples,
   for (Eigen::Index i = 0; i < steps.size(); ++i) {
     const auto step = static_cast<std::int64_t>(steps(i));
     if (step < 0 || (i > 0 && step <= motion.steps.back())) {
-      reader.Error(value, "P5108", "'steps' do not rise from 0");
+      reader.Error(value, Code::kMisfit, "'steps' do not rise from 0");
       return;
     }
     motion.steps.push_back(step);
@@ -277,14 +274,14 @@ Motion ReadMotion(JsonReader& reader, const JsonValue& value,
   if (!reader.IsObject(value, kKnown)) return motion;
   motion.step = reader.Number(value, "step");
   if (!(motion.step > 0))
-    reader.Error(value, "P5104", "a 'step' takes more than 0 s");
+    reader.Error(value, Code::kOutOfRange, "a 'step' takes more than 0 s");
   const Eigen::Index samples = reader.Integer(value, "samples", 0, kMaxInt);
   std::size_t sensors = 0;
   for (const RecordedModule& module : body.modules)
     if (module.type == ModuleType::kTouchSensor) ++sensors;
   const std::size_t links = body.links.size();
   if (samples > 0 && links == 0)
-    reader.Error(value, "P5108", "samples of a robot without links");
+    reader.Error(value, Code::kMisfit, "samples of a robot without links");
   ReadSteps(reader, value, samples, motion);
   motion.position =
       ReadTrack(reader, value, "position", {3 * links, samples, kPositionUnit});
@@ -295,14 +292,14 @@ Motion ReadMotion(JsonReader& reader, const JsonValue& value,
   const Eigen::MatrixXd touch =
       ReadTrack(reader, value, "touch", {sensors, samples, 1});
   if ((touch.array() < 0).any() || (touch.array() > 1).any())
-    reader.Error(value, "P5104", "'touch' is 0 or 1");
+    reader.Error(value, Code::kOutOfRange, "'touch' is 0 or 1");
   else
     motion.touch = touch.cast<int>();
   for (Eigen::Index i = 0; i < motion.turn.size(); i += 4)
     if (const double norm =
             Eigen::Map<const Eigen::Vector4d>(motion.turn.data() + i).norm();
         std::abs(norm - 1) > kUnitTolerance) {
-      reader.Error(value, "P5108",
+      reader.Error(value, Code::kMisfit,
                    fmt::format("'turn' has a quaternion of length {}", norm));
       break;
     }
@@ -322,10 +319,9 @@ RecordedSeason ReadSeason(JsonReader& reader, const JsonValue& value) {
   });
   season.begin = reader.Number(value, "begin");
   season.duration = reader.Number(value, "duration");
-  season.change = ReadEnum(reader, value, "change", Change::kBody, &ChangeName);
+  season.change = ReadEnum(reader, value, "change", kChangeNames);
   season.change_reason = reader.Text(value, "change_reason");
-  season.outcome =
-      ReadEnum(reader, value, "outcome", Outcome::kStopped, &OutcomeName);
+  season.outcome = ReadEnum(reader, value, "outcome", kOutcomeNames);
   season.reason = reader.Text(value, "reason");
   season.speed = ReadOptional(reader, value, "speed");
   season.balance = ReadOptional(reader, value, "balance");
@@ -345,7 +341,7 @@ bool IsOfThisVersion(JsonReader& reader, const JsonValue& root) {
   if (version > kRecordingVersion)
     reader.Error(
         JsonValue{root.json["plsc_recording"], &root, "plsc_recording"},
-        "P5002",
+        Code::kNewerVersion,
         fmt::format("this recording is of version {}, and this plsc "
                     "reads version {}",
                     version, kRecordingVersion),

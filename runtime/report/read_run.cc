@@ -64,7 +64,7 @@ Failure ReadAll(const std::string& path, const ReadOptions& options,
   RunStore store;
   if (Failure failure = store.OpenForReading(path)) return failure;
   reading.experiment = store.experiment();
-  if (expected && reading.experiment != *expected)
+  if (expected && !AreSame(reading.experiment, *expected))
     return fmt::format(
         "'{}' is a run of another experiment or seed than the study's", path);
   if (options.verify)

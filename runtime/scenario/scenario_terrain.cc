@@ -19,12 +19,6 @@ constexpr Quantity kStepHeight = {Dimension::kLength, 0, 10, true};
 // stands for.
 constexpr Quantity kWidth = {Dimension::kLength, 0.02, 1000};
 
-const std::vector<std::string>& TerrainNames() {
-  static const std::vector<std::string> names = {"flat", "tilted", "rough",
-                                                 "steps", "obstacles"};
-  return names;
-}
-
 std::uint64_t ReadSeed(YamlMap& map, std::uint64_t otherwise) {
   const auto seed = map.Find("seed");
   return seed ? seed->Unsigned().value_or(otherwise) : otherwise;
@@ -56,7 +50,7 @@ Obstacles ReadObstacles(YamlMap map) {
   obstacles.size = map.Number("size", obstacles.size, kWidth);
   obstacles.height = map.Number("height", obstacles.height, kHeight);
   if (map.place().error_count() == errors && obstacles.size > obstacles.spacing)
-    map.place().Report("P5108",
+    map.place().Report(Code::kMisfit,
                        fmt::format("obstacles of {} m do not fit squares of "
                                    "{} m",
                                    obstacles.size, obstacles.spacing),
@@ -68,27 +62,24 @@ Obstacles ReadObstacles(YamlMap map) {
 /// `rough` alone has the default parameters, as `flat` has none.
 Terrain ReadName(const YamlValue& value) {
   Terrain terrain;
-  const auto choice = value.Choice(TerrainNames());
-  if (!choice) return terrain;
-  terrain.type = static_cast<TerrainType>(*choice);
+  const auto type = value.Choice(kTerrainNames);
+  if (!type) return terrain;
+  terrain.type = *type;
   if (terrain.type == TerrainType::kTilted)
-    value.Report("P5106", "expected the tilt of the ground",
+    value.Report(Code::kMissingKey, "expected the tilt of the ground",
                  "write 'terrain: {tilted: 5 deg}'");
   return terrain;
 }
 
 }  // namespace
 
-std::string TerrainName(TerrainType type) {
-  return TerrainNames()[static_cast<std::size_t>(type)];
-}
-
 Terrain ReadTerrain(const YamlValue& value) {
   if (!value.is_map()) return ReadName(value);
   YamlMap map = *value.Map("a terrain");
   Terrain terrain;
   if (map.Find("flat")) {
-    value.Report("P5103", "expected 'flat' alone: it has no parameters",
+    value.Report(Code::kWrongKind,
+                 "expected 'flat' alone: it has no parameters",
                  "write 'terrain: flat'");
     map.TakeAll();
     return terrain;
@@ -101,7 +92,7 @@ Terrain ReadTerrain(const YamlValue& value) {
   }
   // Each reader is asked only for the map that is there.
   const auto find = [&](TerrainType type) -> std::optional<YamlMap> {
-    const auto of = map.Find(TerrainName(type));
+    const auto of = map.Find(NameIn(kTerrainNames, type));
     if (!of) return std::nullopt;
     terrain.type = type;
     ++named;
@@ -117,7 +108,7 @@ Terrain ReadTerrain(const YamlValue& value) {
   map.Close();
   // Of an unknown kind that is said already.
   if (named != 1 && value.error_count() == errors)
-    value.Report("P5106",
+    value.Report(Code::kMissingKey,
                  fmt::format("expected one kind of ground, found {}", named),
                  "write '{tilted: 5 deg}', '{rough: {...}}', '{steps: {...}}' "
                  "or '{obstacles: {...}}'");

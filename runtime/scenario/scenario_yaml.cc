@@ -7,10 +7,11 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <numbers>
 #include <set>
 
+#include "grammar/enum_names.h"
+#include "grammar/number.h"
 #include "grammar/suggest.h"
 #include "runtime/scenario/scenario_physics.h"
 #include "runtime/scenario/scenario_profile.h"
@@ -37,49 +38,19 @@ constexpr Quantity kSettling = {Dimension::kTime, 0, 60};
 // Of start_height: on the ground instead of above it.
 constexpr const char* kResting = "resting";
 
-const std::vector<std::string>& ProfileNames() {
-  static const std::vector<std::string> names = {
-      std::string(ProfileName(Profile::kPaper)),
-      std::string(ProfileName(Profile::kPublished))};
-  return names;
-}
+constexpr EnumNames<Lives, 2> kLivesNames{
+    {{Lives::kIndependent, "independent"}, {Lives::kContinuous, "continuous"}}};
 
-const std::vector<std::string>& LivesNames() {
-  static const std::vector<std::string> names = {"independent", "continuous"};
-  return names;
-}
+constexpr EnumNames<Plasticity, 2> kPlasticityNames{
+    {{Plasticity::kLifelong, "lifelong"},
+     {Plasticity::kMorphogenesis, "morphogenesis"}}};
 
-const std::vector<std::string>& PlasticityNames() {
-  static const std::vector<std::string> names = {"lifelong", "morphogenesis"};
-  return names;
-}
+constexpr EnumNames<MeasuredPoint, 2> kMeasuredNames{
+    {{MeasuredPoint::kMassCentre, "mass_centre"},
+     {MeasuredPoint::kCore, "core"}}};
 
-const std::vector<std::string>& ControllerNames() {
-  static const std::vector<std::string> names = {"open_loop", "coupled"};
-  return names;
-}
-
-const std::vector<std::string>& MeasuredNames() {
-  static const std::vector<std::string> names = {"mass_centre", "core"};
-  return names;
-}
-
-const std::vector<std::string>& SensingNames() {
-  static const std::vector<std::string> names = {"imu", "given"};
-  return names;
-}
-
-template <typename Enum>
-void ReadChoice(YamlMap& map, const char* key,
-                const std::vector<std::string>& names, Enum& value) {
-  value = static_cast<Enum>(
-      map.Choice(key, static_cast<std::size_t>(value), names));
-}
-
-template <typename Enum>
-const std::string& NameIn(const std::vector<std::string>& names, Enum value) {
-  return names[static_cast<std::size_t>(value)];
-}
+constexpr EnumNames<Sensing, 2> kSensingNames{
+    {{Sensing::kImu, "imu"}, {Sensing::kGiven, "given"}}};
 
 std::map<std::string, std::string> ReadSenses(YamlMap map) {
   std::map<std::string, std::string> senses;
@@ -90,7 +61,8 @@ std::map<std::string, std::string> ReadSenses(YamlMap map) {
     const bool is_true = *text == "true" || *text == "TRUE";
     if (is_true || *text == "false" || *text == "FALSE")
       entry.value.Report(
-          "P5107", fmt::format("expected True or False, found '{}'", *text),
+          Code::kUnknownWord,
+          fmt::format("expected True or False, found '{}'", *text),
           fmt::format("write '{}', as in a clause",
                       is_true ? "True" : "False"));
     senses[entry.key] = *text;
@@ -111,7 +83,7 @@ std::optional<double> ReadStartHeight(const YamlValue& value) {
     return std::nullopt;
   const std::vector<std::string_view> words = {kResting};
   if (value.is_scalar() && Suggest(value.text(), words)) {
-    value.Report("P5107",
+    value.Report(Code::kUnknownWord,
                  fmt::format("expected a length or {}, found '{}'", kResting,
                              value.text()),
                  fmt::format("did you mean '{}'?", kResting), kResting);
@@ -130,10 +102,12 @@ Season ReadSeason(const YamlValue& value, Profile profile,
     terrain = ReadTerrain(*written);
   season = ProfileSeason(profile, terrain);
   season.physics = Patched(season.physics, shared);
-  season.name = map->Text("name", TerrainName(terrain.type));
+  season.name =
+      map->Text("name", std::string(NameIn(kTerrainNames, terrain.type)));
   if (!IsFileName(season.name))
     map->Find("name")->Report(
-        "P5107", "expected a name of letters, digits, '_', '-' and '.'",
+        Code::kUnknownWord,
+        "expected a name of letters, digits, '_', '-' and '.'",
         "files are called after seasons");
   season.duration = map->Number("duration", season.duration, kDuration);
   if (const auto height = map->Find("start_height"))
@@ -158,11 +132,12 @@ std::vector<Season> ReadSeasons(YamlMap& map, Profile profile,
   const auto items = value->List("seasons");
   if (!items) return seasons;
   if (items->empty())
-    value->Report("P5108", "expected at least one season, found none");
+    value->Report(Code::kMisfit, "expected at least one season, found none");
   if (items->size() > kMaxSeasons) {
-    value->Report("P5108", fmt::format("a scenario has at most {} seasons, "
-                                       "found {}",
-                                       kMaxSeasons, items->size()));
+    value->Report(Code::kMisfit,
+                  fmt::format("a scenario has at most {} seasons, "
+                              "found {}",
+                              kMaxSeasons, items->size()));
     return seasons;
   }
   std::set<std::string> names;
@@ -171,7 +146,7 @@ std::vector<Season> ReadSeasons(YamlMap& map, Profile profile,
     Season season = ReadSeason(item, profile, shared);
     // A season that is wrong may be called after what it is not.
     if (item.error_count() == errors && !names.insert(season.name).second)
-      item.Report("P5108",
+      item.Report(Code::kMisfit,
                   fmt::format("two seasons are called '{}'", season.name),
                   "give each its own 'name'");
     seasons.push_back(std::move(season));
@@ -189,20 +164,21 @@ void CheckSampling(YamlMap& map, const Scenario& scenario) {
   for (const Season& season : scenario.seasons) {
     if (scenario.sample_interval < season.physics.step)
       return place.Report(
-          "P5108", fmt::format("samples every {} s are closer than the steps "
-                               "of season '{}', {} s",
-                               scenario.sample_interval, season.name,
-                               season.physics.step));
+          Code::kMisfit,
+          fmt::format("samples every {} s are closer than the steps "
+                      "of season '{}', {} s",
+                      scenario.sample_interval, season.name,
+                      season.physics.step));
     if (scenario.sample_interval > season.duration)
       return place.Report(
-          "P5108",
+          Code::kMisfit,
           fmt::format("samples every {} s are further apart than "
                       "season '{}' is long, {} s",
                       scenario.sample_interval, season.name, season.duration));
     const double samples = season.duration / scenario.sample_interval;
     if (samples > kMaxSamples)
       return place.Report(
-          "P5108",
+          Code::kMisfit,
           fmt::format("samples every {} s are {:.0f} of season '{}', "
                       "{} s, more than {:.0f}",
                       scenario.sample_interval, samples, season.name,
@@ -223,7 +199,7 @@ void CheckSettling(YamlMap& map, const Scenario& scenario) {
     const double steps = scenario.imu.settling / season.physics.step;
     if (steps > kMaxSettlingSteps)
       return place.Report(
-          "P5108",
+          Code::kMisfit,
           fmt::format("the IMU settles for {} s, which are {:.0f} steps of "
                       "season '{}', more than {:.0f}",
                       scenario.imu.settling, steps, season.name,
@@ -240,7 +216,7 @@ void CheckLengths(YamlMap& map, const Scenario& scenario) {
     const double steps = season.duration / season.physics.step;
     if (steps > scenario.max_steps)
       return place.Report(
-          "P5108",
+          Code::kMisfit,
           fmt::format("season '{}' of {} s takes {:.0f} steps, more "
                       "than max_steps, {}",
                       season.name, season.duration, steps, scenario.max_steps),
@@ -251,10 +227,9 @@ void CheckLengths(YamlMap& map, const Scenario& scenario) {
 std::string PrintSenses(const std::map<std::string, std::string>& senses) {
   std::vector<std::string> items;
   for (const auto& [name, value] : senses) {
-    double number = 0;
-    const char* end = value.data() + value.size();
-    const auto [stop, failure] = std::from_chars(value.data(), end, number);
-    const bool is_number = failure == std::errc{} && stop == end;
+    const LeadingNumber<double> number = ReadNumber<double>(value);
+    const bool is_number = number.kind == LeadingNumber<double>::Kind::kFits &&
+                           number.length == value.size();
     // Values of bool states are YAML's, too.
     const bool is_bare = is_number || value == "True" || value == "False";
     items.push_back(fmt::format("{}: {}", PrintYamlText(name),
@@ -303,12 +278,12 @@ void ReadImu(YamlMap& map, ImuOptions& imu) {
 
 Scenario ReadScenario(YamlMap& map) {
   const std::size_t errors = map.place().error_count();
-  auto profile = Profile::kPaper;
-  ReadChoice(map, "profile", ProfileNames(), profile);
+  const Profile profile = map.Choice("profile", Profile::kPaper, kProfileNames);
   Scenario scenario = ProfileScenario(profile);
   scenario.name = map.Text("name", "");
-  ReadChoice(map, "lives", LivesNames(), scenario.lives);
-  ReadChoice(map, "plasticity", PlasticityNames(), scenario.plasticity);
+  scenario.lives = map.Choice("lives", scenario.lives, kLivesNames);
+  scenario.plasticity =
+      map.Choice("plasticity", scenario.plasticity, kPlasticityNames);
   PhysicsPatch physics;
   if (const auto written = map.Find("physics"))
     if (auto physics_map = written->Map("physical constants"))
@@ -316,9 +291,10 @@ Scenario ReadScenario(YamlMap& map) {
   if (const auto servo = map.Find("servo"))
     if (auto servo_map = servo->Map("constants of the servo"))
       scenario.servo = ReadServo(std::move(*servo_map), scenario.servo);
-  ReadChoice(map, "controller", ControllerNames(), scenario.controller);
-  ReadChoice(map, "measured", MeasuredNames(), scenario.measured);
-  ReadChoice(map, "sensing", SensingNames(), scenario.sensing);
+  scenario.controller =
+      map.Choice("controller", scenario.controller, kControllerNames);
+  scenario.measured = map.Choice("measured", scenario.measured, kMeasuredNames);
+  scenario.sensing = map.Choice("sensing", scenario.sensing, kSensingNames);
   ReadImu(map, scenario.imu);
   ReadLimits(map, scenario);
   scenario.sample_interval =
@@ -347,9 +323,9 @@ std::string PrintScenarioKeys(const Scenario& scenario, int indent) {
                                      ? PhysicsOptions{}
                                      : scenario.seasons.front().physics;
   if (!scenario.name.empty()) add("name", PrintYamlText(scenario.name));
-  add("profile", ProfileName(scenario.profile));
-  add("lives", NameIn(LivesNames(), scenario.lives));
-  add("plasticity", NameIn(PlasticityNames(), scenario.plasticity));
+  add("profile", NameIn(kProfileNames, scenario.profile));
+  add("lives", NameIn(kLivesNames, scenario.lives));
+  add("plasticity", NameIn(kPlasticityNames, scenario.plasticity));
   text += fmt::format("{}seasons:\n", blanks);
   for (const Season& season : scenario.seasons)
     text += PrintSeason(season, physics, deeper);
@@ -357,9 +333,9 @@ std::string PrintScenarioKeys(const Scenario& scenario, int indent) {
       PrintQuantity(scenario.sample_interval, Dimension::kTime));
   add("start_clearance",
       PrintQuantity(scenario.start_clearance, Dimension::kLength));
-  add("controller", NameIn(ControllerNames(), scenario.controller));
-  add("measured", NameIn(MeasuredNames(), scenario.measured));
-  add("sensing", NameIn(SensingNames(), scenario.sensing));
+  add("controller", NameIn(kControllerNames, scenario.controller));
+  add("measured", NameIn(kMeasuredNames, scenario.measured));
+  add("sensing", NameIn(kSensingNames, scenario.sensing));
   add("imu",
       fmt::format("{{threshold: {}, settling: {}}}",
                   PrintQuantity(scenario.imu.threshold, Dimension::kAngle),

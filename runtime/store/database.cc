@@ -35,6 +35,7 @@
 
 #include "runtime/store/companions.h"
 #include "runtime/store/database_file.h"
+#include "runtime/text/system_reason.h"
 
 namespace plsc {
 
@@ -51,10 +52,11 @@ std::string Explain(sqlite3* connection, const std::string& path, int code,
   const char* said = sqlite3_errmsg(connection);
   const int kept = sqlite3_system_errno(connection);
   const int error = kept != 0 ? kept : last_error;
-  const std::string reason = error != 0 ? ReasonOf(error) : said;
+  const std::string reason = error != 0 ? SystemReason(error) : said;
   switch (code & 0xff) {  // the rest says more of it
     case SQLITE_FULL:
-      return fmt::format("cannot write to '{}': {}", path, ReasonOf(ENOSPC));
+      return fmt::format("cannot write to '{}': {}", path,
+                         SystemReason(ENOSPC));
     case SQLITE_IOERR:
       // Disks are full in several ways.
       if (error == EFBIG || error == ENOSPC || error == EDQUOT)

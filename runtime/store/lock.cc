@@ -20,6 +20,7 @@
 #include <utility>
 
 #include "runtime/store/database.h"
+#include "runtime/text/system_reason.h"
 
 namespace plsc {
 
@@ -89,7 +90,7 @@ RunLock::Failure RunLock::Take(const std::string& run) {
   while (true) {
     descriptor_ = open(run.c_str(), O_RDWR | O_CLOEXEC);
     if (descriptor_ < 0)
-      return fmt::format("cannot open '{}': {}", run, ReasonOf(errno));
+      return fmt::format("cannot open '{}': {}", run, SystemReason(errno));
     if (Failure failure = Lock(run)) return failure;
     // It may have been replaced between the two calls.
     if (FileIdOf(run) == file_) return std::nullopt;
@@ -102,7 +103,7 @@ RunLock::Failure RunLock::TakeNew(const std::string& run, int descriptor) {
   // Another descriptor of the same open file, whose the lock is.
   descriptor_ = fcntl(descriptor, F_DUPFD_CLOEXEC, 0);
   if (descriptor_ < 0)
-    return fmt::format("cannot lock '{}': {}", run, ReasonOf(errno));
+    return fmt::format("cannot lock '{}': {}", run, SystemReason(errno));
   return Lock(run);
 }
 
@@ -115,7 +116,7 @@ RunLock::Failure RunLock::Lock(const std::string& run) {
     if (is_held && !holder) continue;  // gone meanwhile
     close(std::exchange(descriptor_, -1));
     if (is_held) return InUse(run, *holder);
-    return fmt::format("cannot lock '{}': {}", run, ReasonOf(error));
+    return fmt::format("cannot lock '{}': {}", run, SystemReason(error));
   }
   struct stat status {};
   fstat(descriptor_, &status);

@@ -17,6 +17,7 @@
 #include <utility>
 
 #include "runtime/store/file_id.h"
+#include "runtime/text/system_reason.h"
 
 namespace plsc {
 
@@ -75,7 +76,7 @@ void NewFile::OpenNamed() {
 
 NewFile::Failure NewFile::failure() const {
   if (error_ == 0) return std::nullopt;
-  return fmt::format("cannot write to '{}': {}", path_, ReasonOf(error_));
+  return fmt::format("cannot write to '{}': {}", path_, SystemReason(error_));
 }
 
 NewFile::Failure NewFile::Write(std::string_view text) {

@@ -40,6 +40,7 @@
 #include "runtime/store/schema.h"
 #include "runtime/store/schema_check.h"
 #include "runtime/store/verify.h"
+#include "runtime/text/system_reason.h"
 
 namespace plsc {
 
@@ -63,7 +64,7 @@ Failure CheckAbsent(const std::string& path) {
         path);
   const auto folder = std::filesystem::path(path).parent_path();
   if (access(folder.empty() ? "." : folder.c_str(), W_OK | X_OK) != 0)
-    return fmt::format("cannot create '{}': {}", path, ReasonOf(errno));
+    return fmt::format("cannot create '{}': {}", path, SystemReason(errno));
   return CheckNoCompanions(path);
 }
 

@@ -229,7 +229,7 @@ void RunWriter::AddIndividual(const Individual& one) {
   std::optional<std::string> mutation;
   std::optional<std::int64_t> mutated_rule;
   if (heritage.mutation) {
-    mutation = MutationName(heritage.mutation->kind);
+    mutation = NameIn(kMutationNames, heritage.mutation->kind);
     mutated_rule = static_cast<std::int64_t>(heritage.mutation->rule);
   }
   individual_
@@ -276,10 +276,11 @@ void RunWriter::AddSeason(int individual, const SeasonResult& result,
       .With(individual, season->second,
             HexOf(evidence.phenotype, has_phenotype),
             HexOf(evidence.simulation, has_simulation),
-            ProfileName(result.profile), result.begin, result.inclination,
-            SensedText(result.sensed), SourcesText(result.sensed),
-            ChangeName(result.change), result.change_reason,
-            OutcomeName(result.outcome), result.reason, result.fitness, 0)
+            NameIn(kProfileNames, result.profile), result.begin,
+            result.inclination, SensedText(result.sensed),
+            SourcesText(result.sensed), NameIn(kChangeNames, result.change),
+            result.change_reason, OutcomeName(result.outcome), result.reason,
+            result.fitness, 0)
       .Run();
   sum_evaluation_
       .With(checksums_.OfEvaluation(individual, season->second), individual,

@@ -14,8 +14,6 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -23,7 +21,6 @@
 #include "runtime/life/simulated.h"
 #include "runtime/store/make_database.h"
 #include "runtime/store/schema_check.h"
-#include "sim/machine_kind.h"
 
 namespace plsc {
 
@@ -118,14 +115,6 @@ int NumberOf(Database& database, const char* pragma) {
 }
 
 }  // namespace
-
-std::string ThisEngine() {
-  // The version alone would take a changed program for the same.
-  std::ifstream program("/proc/self/exe", std::ios::binary);
-  const std::string bytes((std::istreambuf_iterator<char>(program)),
-                          std::istreambuf_iterator<char>());
-  return fmt::format("{} {}", Hex(KeyOf(bytes)), MachineKind());
-}
 
 struct SharedCache::Statements {
   explicit Statements(Database& database)

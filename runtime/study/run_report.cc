@@ -35,22 +35,6 @@ std::vector<SeasonSpeed> SpeedsOf(const Individual& best) {
 
 }  // namespace
 
-std::string_view StateName(RunState state) {
-  switch (state) {
-    case RunState::kMissing:
-      return "missing";
-    case RunState::kUnfinished:
-      return "unfinished";
-    case RunState::kRunning:
-      return "running";
-    case RunState::kDone:
-      return "done";
-    case RunState::kDamaged:
-      return "damaged";
-  }
-  return "";
-}
-
 RunReport ReportOn(const std::string& folder, const Study& study,
                    const StudyRun& run) {
   const std::string path = RunPath(folder, study, run);
@@ -62,7 +46,7 @@ RunReport ReportOn(const std::string& folder, const Study& study,
   RunStore store;
   if (auto failure = store.OpenForReading(path))
     return Damaged(std::move(*failure));
-  if (store.experiment() != ExperimentOf(study, run))
+  if (!AreSame(store.experiment(), ExperimentOf(study, run)))
     return Damaged(fmt::format(
         "'{}' is a run of another experiment or seed than the study's", path));
   const Loaded<RunStatus> status = store.Status();

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "grammar/diagnostic.h"
+#include "grammar/enum_names.h"
 #include "runtime/text/quantity.h"
 
 namespace plsc {
@@ -47,9 +48,11 @@ class YamlValue {
   std::optional<bool> Bool() const;               ///< true, True, false, False
   /// A scalar that is not empty. `what` says what it is: "a name".
   std::optional<std::string> Text(std::string_view what) const;
-  /// Index into `names`.
-  std::optional<std::size_t> Choice(
-      const std::vector<std::string>& names) const;
+  template <typename E, std::size_t N>
+  std::optional<E> Choice(const EnumNames<E, N>& names) const {
+    const std::optional<std::size_t> index = IndexIn(AllNames(names));
+    return index ? std::optional(names[*index].first) : std::nullopt;
+  }
   std::optional<std::vector<YamlValue>> List(std::string_view what) const;
   std::optional<YamlMap> Map(std::string_view what) const;
 
@@ -61,9 +64,9 @@ class YamlValue {
   /// Whether so many errors were found that no more are reported; a loop over
   /// what a file may have thousands of ends then.
   bool is_full() const;
-  /// Reports an error here. Code P5xxx; see yaml_reader.cc. `replacement`, if
-  /// not empty, is to be written in its place.
-  void Report(std::string_view code, std::string message, std::string help = "",
+  /// Reports an error here. `replacement`, if not empty, is to be written in
+  /// its place.
+  void Report(Code code, std::string message, std::string help = "",
               std::string replacement = "") const;
   /// Of the file, so far: who puts values together that were read one by one
   /// has nothing to say where one of them is wrong and only a default stands in
@@ -71,6 +74,8 @@ class YamlValue {
   std::size_t error_count() const;
 
  private:
+  std::optional<std::size_t> IndexIn(
+      const std::vector<std::string_view>& names) const;
   void ReportQuoted(std::string_view expected, const std::string& meant,
                     const std::string& example) const;
 
@@ -102,8 +107,12 @@ class YamlMap {
   int Int(std::string_view key, int otherwise, int low, int high);
   bool Bool(std::string_view key, bool otherwise);
   std::string Text(std::string_view key, const std::string& otherwise);
-  std::size_t Choice(std::string_view key, std::size_t otherwise,
-                     const std::vector<std::string>& names);
+  template <typename E, std::size_t N>
+  E Choice(std::string_view key, std::type_identity_t<E> otherwise,
+           const EnumNames<E, N>& names) {
+    const std::optional<YamlValue> value = Find(key);
+    return value ? value->Choice(names).value_or(otherwise) : otherwise;
+  }
 
   /// Reports keys that nobody asked for, with the nearest known one.
   void Close() const;

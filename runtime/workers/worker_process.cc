@@ -16,6 +16,10 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdlib>
+#include <filesystem>
+#include <system_error>
+#include <vector>
 
 #include "runtime/workers/worker_frame.h"
 
@@ -52,7 +56,15 @@ bool ReceiveSome(FrameReader& reader) {
 
 void KeepOnly(int socket) {
   if (socket != kSocket) dup2(socket, kSocket);
-  close_range(kSocket + 1, ~0U, 0);
+  if (close_range(kSocket + 1, ~0U, 0) == 0) return;
+  // Linux before 5.9, as many clusters have it.
+  std::vector<int> open;
+  std::error_code ignored;
+  for (const auto& entry :
+       std::filesystem::directory_iterator("/proc/self/fd", ignored))
+    open.push_back(std::atoi(entry.path().filename().c_str()));
+  for (const int descriptor : open)
+    if (descriptor > kSocket) close(descriptor);
 }
 
 void SetSignals(pid_t owner) {

@@ -95,8 +95,9 @@ std::string FailureAnswer(const std::string& id, std::size_t line,
     all += DiagnosticJson(diagnostic, source);
   }
   const Diagnostic& first = diagnostics.front();
-  return FailedAnswer(id, line,
-                      fmt::format("{}: {}", first.code, first.message), all);
+  return FailedAnswer(
+      id, line, fmt::format("{}: {}", NumberOf(first.code), first.message),
+      all);
 }
 
 std::string FailureAnswer(const std::string& id, std::size_t line,

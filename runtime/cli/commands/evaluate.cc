@@ -14,7 +14,7 @@
 #include "compiler/compile.h"
 #include "compiler/print.h"
 #include "grammar/shown_line.h"
-#include "runtime/cli/arguments/command.h"
+#include "runtime/cli/arguments/evaluate.h"
 #include "runtime/cli/commands/ask_tell.h"
 #include "runtime/cli/files/line_reader.h"
 #include "runtime/cli/files/load_yaml.h"
@@ -63,7 +63,7 @@ struct Examined {
 };
 
 Examined ExamineLine(const InputLine& line, const Scenario& scenario,
-                 const CompileOptions& options) {
+                     const CompileOptions& options) {
   Examined examined;
   const auto fail = [&](const auto&... problem) {
     examined.failure = FailureAnswer(examined.id, line.number, problem...);
@@ -90,7 +90,8 @@ Examined ExamineLine(const InputLine& line, const Scenario& scenario,
 /// Gives genotypes to workers and prints the answers.
 class LinesEvaluation {
  public:
-  LinesEvaluation(const EvaluateCommand& command, const Scenario& scenario, Io& io)
+  LinesEvaluation(const EvaluateCommand& command, const Scenario& scenario,
+                  Io& io)
       : command_(command),
         scenario_(scenario),
         io_(io),

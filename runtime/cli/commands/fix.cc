@@ -5,7 +5,8 @@
 
 #include "compiler/apply_fixes.h"
 #include "grammar/shown_line.h"
-#include "runtime/cli/arguments/command.h"
+#include "runtime/cli/arguments/texts.h"
+#include "runtime/cli/files/output_file.h"
 #include "runtime/text/unified_diff.h"
 
 namespace plsc::cli {
@@ -29,12 +30,6 @@ std::string Describe(const MadeFix& fix) {
   return Quoted(fix.removed) + " -> " + Quoted(fix.replacement) + note;
 }
 
-bool HasErrors(const std::vector<Diagnostic>& diagnostics) {
-  return std::any_of(
-      diagnostics.begin(), diagnostics.end(),
-      [](const Diagnostic& d) { return d.severity == Severity::kError; });
-}
-
 // Whether files stay as they are.
 bool IsDryRun(const FixCommand& command) {
   return command.check || command.diff;
@@ -48,22 +43,13 @@ bool Deliver(const std::string& file, const MendedText& mended,
     io.out << mended.text;
     return true;
   }
-  if (mended.made.empty()) return true;
-  const auto failure = WriteFile(file, mended.text);
-  if (failure)
-    io.err << fmt::format("error: cannot write '{}': {}\n", Escaped(file),
-                          Escaped(*failure));
-  return !failure;
+  return mended.made.empty() || WriteOrReport(file, mended.text, io);
 }
 
 // Whether the file is (now) without errors.
 bool FixOne(const std::string& file, const FixCommand& command, Io& io) {
-  const Result<Source> source = ReadSource(file, io);
-  if (!source) {
-    io.err << fmt::format("error[{}]: {}\n", source.diagnostics()[0].code,
-                          Escaped(source.diagnostics()[0].message));
-    return false;
-  }
+  const auto source = ReadOrReport(file, io);
+  if (!source) return false;
   CompileOptions options;
   options.allow_out_of_range = command.allow_range;
   const MendedText mended = MendText(*source, options);
@@ -74,8 +60,8 @@ bool FixOne(const std::string& file, const FixCommand& command, Io& io) {
   for (const MadeFix& fix : mended.made)
     io.err << fmt::format("{}:{}:{}: {} [{}]: {}\n", Escaped(source->name()),
                           fix.position.line, fix.position.column,
-                          IsDryRun(command) ? "would fix" : "fixed", fix.code,
-                          Describe(fix));
+                          IsDryRun(command) ? "would fix" : "fixed",
+                          NumberOf(fix.code), Describe(fix));
   // The places are then of a text that nobody has on disk.
   const bool is_elsewhere = IsDryRun(command) && !mended.made.empty();
   const std::string shown_name =

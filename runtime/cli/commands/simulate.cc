@@ -7,7 +7,7 @@
 #include <variant>
 
 #include "grammar/shown_line.h"
-#include "runtime/cli/arguments/command.h"
+#include "runtime/cli/arguments/robots.h"
 #include "runtime/cli/files/load_program.h"
 #include "runtime/cli/files/load_yaml.h"
 #include "runtime/cli/files/output_path.h"
@@ -20,6 +20,7 @@
 #include "runtime/recording/recording_json.h"
 #include "runtime/recording/trajectory_csv.h"
 #include "runtime/scenario/scenario_yaml.h"
+#include "runtime/text/quantity.h"
 
 namespace plsc::cli {
 
@@ -32,7 +33,6 @@ void PrintHeader(std::ostream& out) {
 }
 
 void PrintRow(const SeasonResult& result, std::ostream& out) {
-  constexpr double kCentimetres = 100;  // the paper's unit of Speed
   const std::string speed =
       result.behaviour.is_valid
           ? fmt::format(
@@ -230,7 +230,7 @@ Exit Run(const SimulateCommand& command, Io& io) {
     io.out << fmt::format(
         "{} in scenario {} (profile {})\n", genotype.name,
         scenario.name.empty() ? "of no name" : Escaped(scenario.name),
-        ProfileName(scenario.profile));
+        NameIn(kProfileNames, scenario.profile));
     PrintHeader(io.out);
   }
   // Samples mean nothing without the constants that they were made with.

@@ -22,6 +22,7 @@
 #include "grammar/shown_line.h"
 #include "runtime/cli/files/load_program.h"
 #include "runtime/cli/files/open_run.h"
+#include "runtime/cli/files/output_file.h"
 
 namespace plsc::cli {
 
@@ -123,12 +124,7 @@ bool WriteOutput(const Output& output, std::string_view text, Io& io) {
     return true;
   }
   // Much may have happened since it was asked first.
-  if (!CanWrite(output, io)) return false;
-  const auto failure = WriteFile(path, text);
-  if (failure)
-    io.err << fmt::format("error: cannot write '{}': {}\n", Escaped(path),
-                          Escaped(*failure));
-  return !failure;
+  return CanWrite(output, io) && WriteOrReport(path, text, io);
 }
 
 }  // namespace plsc::cli

@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "grammar/shown_line.h"
+#include "runtime/text/quantity.h"
 
 namespace plsc::cli {
 
@@ -28,8 +29,6 @@ constexpr double kRedraw = 0.2;  // s
 
 // Who looks at a log file wants to see that the run lives.
 constexpr double kLogPause = 60;  // s
-
-constexpr double kCentimetres = 100;  // the paper's unit of Speed
 
 std::string SpeedText(const std::optional<double>& fitness) {
   return fitness ? fmt::format("{:.2f}", kCentimetres * *fitness) : "none";

@@ -54,18 +54,6 @@ std::string UtcNow() {
   return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
 }
 
-std::string_view EndingName(Ending ending) {
-  switch (ending) {
-    case Ending::kFinished:
-      return "finished";
-    case Ending::kStopped:
-      return "stopped";
-    case Ending::kFailed:
-      return "failed";
-  }
-  return "";
-}
-
 bool IsNew(const RunRequest& request) {
   std::error_code error;
   return request.experiment &&
@@ -83,8 +71,7 @@ Failure OpenStore(const RunRequest& request, RunStore& store) {
           request.path);
     return failure;
   }
-  if (!request.experiment || PrintExperiment(*request.experiment) ==
-                                 PrintExperiment(store.experiment()))
+  if (!request.experiment || AreSame(*request.experiment, store.experiment()))
     return std::nullopt;
   store.Discard();
   return fmt::format(
@@ -111,8 +98,7 @@ Failure OpenSalvage(RunRequest& request, Salvage& salvage, Io& io) {
     return fmt::format(
         "what '{}' is a run of cannot be read: name the experiment's file, too",
         request.salvage);
-  if (own && request.experiment &&
-      PrintExperiment(*own) != PrintExperiment(*request.experiment))
+  if (own && request.experiment && !AreSame(*own, *request.experiment))
     return fmt::format("'{}' is a run of another experiment or seed",
                        request.salvage);
   if (!request.allow_other_version && salvage.versions() != ThisProgram())
@@ -224,7 +210,7 @@ SessionEnd EndOf(const RunOutcome& outcome) {
   const Effort& effort = outcome.effort;
   SessionEnd end;
   end.ended = UtcNow();
-  end.how = EndingName(outcome.result.ending);
+  end.how = NameIn(kEndingNames, outcome.result.ending);
   if (!outcome.result.failure.empty()) end.how += ": " + outcome.result.failure;
   end.workers = effort.workers;
   end.evaluations = effort.evaluations;

@@ -1,0 +1,12 @@
+#include "runtime/cli/files/png.h"
+
+namespace plsc::cli {
+
+Loaded<std::string> PngOf(const std::string& /*svg*/, double /*scale*/,
+                          const PngLibraries& /*libraries*/) {
+  return Loaded<std::string>::Failed(
+      "cannot make a PNG: this plsc was built without librsvg; write an .svg, "
+      "of which rsvg-convert or a browser makes a PNG");
+}
+
+}  // namespace plsc::cli
