@@ -30,7 +30,7 @@
 
 #include "runtime/develop/developed.h"
 #include "runtime/develop/phenotype_json.h"
-#include "runtime/life/evaluation.h"
+#include "runtime/life/life.h"
 #include "runtime/life/season_developer.h"
 #include "runtime/scenario/scenario_yaml.h"
 #include "sim/imu.h"

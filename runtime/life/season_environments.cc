@@ -10,7 +10,6 @@
 #include <numbers>
 #include <optional>
 
-#include "runtime/life/evaluation.h"
 #include "runtime/life/season_developer.h"
 #include "sim/imu.h"
 

@@ -30,7 +30,7 @@ std::string TypedSenses(const std::string& text,
                     nlohmann::ordered_json::error_handler_t::replace);
 }
 
-std::string Header(const Statement& rows) {
+std::string HeaderLine(const Statement& rows) {
   std::string line;
   for (int i = 0; i < rows.columns(); ++i) {
     if (i > 0) line += ',';
@@ -160,7 +160,7 @@ Failure CsvExport::Write(const CsvTable& table, const Sink& sink) {
   Database& database = parts_->database;
   Statement rows(database, table.sql);
   if (Failure failure = database.TakeFailure()) return failure;
-  if (Failure failure = sink(Header(rows))) return failure;
+  if (Failure failure = sink(HeaderLine(rows))) return failure;
   std::vector<std::string> columns;
   columns.reserve(static_cast<std::size_t>(rows.columns()));
   for (int i = 0; i < rows.columns(); ++i)

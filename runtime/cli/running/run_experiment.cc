@@ -98,8 +98,7 @@ Failure OpenSalvage(RunRequest& request, Salvage& salvage, Io& io) {
     return fmt::format(
         "what '{}' is a run of cannot be read: name the experiment's file, too",
         request.salvage);
-  if (own && request.experiment &&
-      !AreSame(*own, *request.experiment))
+  if (own && request.experiment && !AreSame(*own, *request.experiment))
     return fmt::format("'{}' is a run of another experiment or seed",
                        request.salvage);
   if (!request.allow_other_version && salvage.versions() != ThisProgram())
