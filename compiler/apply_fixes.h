@@ -14,7 +14,7 @@ namespace plsc {
 /// What was mended, as it was found.
 struct MadeFix {
   Position position;        ///< in the text of that round
-  std::string code;         ///< of the diagnostic
+  Code code;                ///< of the diagnostic
   std::string removed;      ///< empty for an insertion
   std::string replacement;  ///< empty for a deletion
   /// What else to know of it, such as that arguments have another order.

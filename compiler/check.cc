@@ -23,56 +23,47 @@
 #include "compiler/lower.h"
 #include "compiler/truth.h"
 #include "grammar/number.h"
+#include "grammar/reporter.h"
 
 namespace plsc {
 
 namespace {
 
-Diagnostic Make(const char* code, Span span, std::string message) {
-  Diagnostic diagnostic;
-  diagnostic.code = code;
-  diagnostic.span = span;
-  diagnostic.message = std::move(message);
-  return diagnostic;
-}
-
 void CheckTermLimit(const ast::File& file, const Scope& scope,
-                    std::vector<Diagnostic>* diagnostics) {
+                    Reporter* reporter) {
   if (!scope.header.max_terms) return;
   const auto limit = static_cast<std::uint32_t>(*scope.header.max_terms);
   for (const ast::Rule& rule : file.rules) {
-    if (rule.terms.count <= limit || diagnostics->size() >= kMaxReported)
-      continue;
-    Diagnostic diagnostic =
-        Make("P3001", rule.clause,
-             fmt::format("clause has {} terms; this genotype allows at most {}",
-                         rule.terms.count, limit));
-    diagnostic.others.push_back({scope.max_terms_span, "declared here"});
-    diagnostics->push_back(std::move(diagnostic));
+    if (rule.terms.count <= limit) continue;
+    reporter
+        ->Report(
+            Code::kOwnLimit, rule.clause,
+            fmt::format("clause has {} terms; this genotype allows at most {}",
+                        rule.terms.count, limit))
+        .WithOther(scope.max_terms_span, "declared here");
   }
 }
 
 void CheckRuleLimit(const ast::File& file, const Scope& scope,
-                    const Resolution& resolution,
-                    std::vector<Diagnostic>* diagnostics) {
+                    const Resolution& resolution, Reporter* reporter) {
   if (file.rules.size() > kMaxRuleCount)
-    diagnostics->push_back(
-        Make("P3002", file.rules[kMaxRuleCount].head,
-             fmt::format("a genotype has at most {} rules", kMaxRuleCount)));
+    reporter->Report(
+        Code::kLimit, file.rules[kMaxRuleCount].head,
+        fmt::format("a genotype has at most {} rules", kMaxRuleCount));
   if (!scope.header.max_rules) return;
   const int limit = *scope.header.max_rules;
   std::map<SymbolId, int> counts;
   for (std::size_t i = 0; i < file.rules.size(); ++i) {
     const auto head = resolution.heads[i];
     if (!head || ++counts[*head] != limit + 1) continue;
-    Diagnostic diagnostic =
-        Make("P3001", file.rules[i].head,
-             fmt::format(
-                 "'{}' has more than {} rule{}, which this genotype allows "
-                 "at most",
-                 file.Text(file.rules[i].head), limit, limit == 1 ? "" : "s"));
-    diagnostic.others.push_back({scope.max_rules_span, "declared here"});
-    diagnostics->push_back(std::move(diagnostic));
+    reporter
+        ->Report(
+            Code::kOwnLimit, file.rules[i].head,
+            fmt::format(
+                "'{}' has more than {} rule{}, which this genotype allows "
+                "at most",
+                file.Text(file.rules[i].head), limit, limit == 1 ? "" : "s"))
+        .WithOther(scope.max_rules_span, "declared here");
   }
 }
 
@@ -85,20 +76,18 @@ class EnvironmentChecker {
   std::vector<Diagnostic> Check() {
     std::unordered_map<std::string_view, Span> names;
     for (const ast::Environment& environment : file_.environments) {
-      if (diagnostics_.size() >= kMaxReported) break;
+      if (reporter_.is_full()) break;
       const auto [first, is_new] =
           names.emplace(file_.Text(environment.name), environment.name);
-      if (!is_new) {
-        diagnostics_.push_back(
-            Make("P2017", environment.name,
-                 fmt::format("environment '{}' is declared twice",
-                             file_.Text(environment.name))));
-        diagnostics_.back().others.push_back(
-            {first->second, "first declared here"});
-      }
+      if (!is_new)
+        reporter_
+            .Report(Code::kRepeatedName, environment.name,
+                    fmt::format("environment '{}' is declared twice",
+                                file_.Text(environment.name)))
+            .WithOther(first->second, "first declared here");
       CheckOne(environment);
     }
-    return std::move(diagnostics_);
+    return reporter_.Take();
   }
 
  private:
@@ -107,7 +96,7 @@ class EnvironmentChecker {
     std::vector<Span> given(states.size());
     bool all_known = true;
     for (std::uint32_t k = 0; k < environment.entries.count; ++k) {
-      if (diagnostics_.size() >= kMaxReported) return;
+      if (reporter_.is_full()) return;
       const std::uint32_t at = environment.entries.first + k;
       const ResolvedTerm& entry = resolution_.entries[at];
       if (!entry) {
@@ -123,20 +112,19 @@ class EnvironmentChecker {
 
   void CheckEntry(const ast::Entry& entry, const Term& resolved, Span* given) {
     const State& state = scope_.header.StateOf(resolved.state);
-    if (given->end != 0) {
-      diagnostics_.push_back(
-          Make("P2015", entry.span,
-               fmt::format("state '{}' is given twice", state.name)));
-      diagnostics_.back().others.push_back({*given, "first given here"});
-    }
+    if (given->end != 0)
+      reporter_
+          .Report(Code::kWrongEnvironment, entry.span,
+                  fmt::format("state '{}' is given twice", state.name))
+          .WithOther(*given, "first given here");
     *given = entry.span;
     if (state.type == StateType::kReal &&
         (resolved.value < state.low || resolved.value > state.high))
-      diagnostics_.push_back(
-          Make("P2015", entry.value.span,
-               fmt::format("{} is outside the range {}..{} of state '{}'",
-                           file_.Text(entry.value.span), PrintNumber(state.low),
-                           PrintNumber(state.high), state.name)));
+      reporter_.Report(
+          Code::kWrongEnvironment, entry.value.span,
+          fmt::format("{} is outside the range {}..{} of state '{}'",
+                      file_.Text(entry.value.span), PrintNumber(state.low),
+                      PrintNumber(state.high), state.name));
   }
 
   void CheckComplete(const ast::Environment& environment,
@@ -146,18 +134,18 @@ class EnvironmentChecker {
       if (given[i].end == 0)
         missing.push_back(fmt::format("'{}'", scope_.header.states[i].name));
     if (missing.empty()) return;
-    Diagnostic diagnostic = Make(
-        "P2015", environment.name,
-        fmt::format("environment '{}' lacks a value for {}",
-                    file_.Text(environment.name), fmt::join(missing, ", ")));
-    diagnostic.label = "every declared state needs one";
-    diagnostics_.push_back(std::move(diagnostic));
+    reporter_
+        .Report(
+            Code::kWrongEnvironment, environment.name,
+            fmt::format("environment '{}' lacks a value for {}",
+                        file_.Text(environment.name), fmt::join(missing, ", ")))
+        .WithLabel("every declared state needs one");
   }
 
   const ast::File& file_;
   const Scope& scope_;
   const Resolution& resolution_;
-  std::vector<Diagnostic> diagnostics_;
+  Reporter reporter_;
 };
 
 std::string StateNames(const Clause& clause, const std::vector<State>& states) {
@@ -182,11 +170,12 @@ bool MayBeConstant(const Clause& clause, const std::vector<State>& states) {
 std::vector<Diagnostic> Check(const ast::File& file, const Scope& scope,
                               const Resolution& resolution,
                               const CompileOptions& options) {
-  std::vector<Diagnostic> diagnostics;
+  Reporter reporter;
   if (scope.header.alphabet != nullptr)
-    diagnostics = CheckSymbols(file, scope, resolution, options);
-  CheckTermLimit(file, scope, &diagnostics);
-  CheckRuleLimit(file, scope, resolution, &diagnostics);
+    CheckSymbols(file, scope, resolution, options, &reporter);
+  CheckTermLimit(file, scope, &reporter);
+  CheckRuleLimit(file, scope, resolution, &reporter);
+  std::vector<Diagnostic> diagnostics = reporter.Take();
   std::vector<Diagnostic> environments =
       EnvironmentChecker(file, scope, resolution).Check();
   std::move(environments.begin(), environments.end(),
@@ -200,26 +189,24 @@ std::vector<Diagnostic> Check(const ast::File& file, const Scope& scope,
 
 std::vector<Diagnostic> CheckClauses(const ast::File& file, const Scope& scope,
                                      const Resolution& resolution) {
-  std::vector<Diagnostic> warnings;
+  Reporter reporter;
   const std::vector<State>& states = scope.header.states;
   for (const ast::Rule& rule : file.rules) {
+    if (!reporter.Takes(Severity::kWarning)) break;
     const Clause clause = LowerClause(file, rule, resolution);
     if (!MayBeConstant(clause, states)) continue;
     const auto count = CountTruth(clause, states);
     if (!count || (count->holds != 0 && count->holds != count->total)) continue;
     const bool is_always = count->holds != 0;
-    Diagnostic warning =
-        Make("W3002", rule.clause,
-             fmt::format("this clause is {} in every environment",
-                         is_always ? "true" : "false"));
-    warning.severity = Severity::kWarning;
-    warning.label = fmt::format("whatever {} is", StateNames(clause, states));
-    warning.help = is_always ? "without the clause the rule is always active"
-                             : "this rule is never active";
-    warnings.push_back(std::move(warning));
-    if (warnings.size() >= kMaxReported) break;
+    reporter
+        .Report(Code::kConstantClause, rule.clause,
+                fmt::format("this clause is {} in every environment",
+                            is_always ? "true" : "false"))
+        .WithLabel(fmt::format("whatever {} is", StateNames(clause, states)))
+        .WithHelp(is_always ? "without the clause the rule is always active"
+                            : "this rule is never active");
   }
-  return warnings;
+  return reporter.Take();
 }
 
 }  // namespace plsc

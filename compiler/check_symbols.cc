@@ -31,57 +31,52 @@ std::string NamesOf(const SymbolInfo& symbol) {
 class SymbolChecker {
  public:
   SymbolChecker(const ast::File& file, const Scope& scope,
-                const Resolution& resolution, const CompileOptions& options)
+                const Resolution& resolution, const CompileOptions& options,
+                Reporter* reporter)
       : file_(file),
         alphabet_(*scope.header.alphabet),
         resolution_(resolution),
-        options_(options) {}
+        options_(options),
+        reporter_(*reporter) {}
 
-  std::vector<Diagnostic> Check() {
-    for (std::size_t i = 0; i < file_.rules.size() && !is_full(); ++i) {
+  void Check() {
+    for (std::size_t i = 0; i < file_.rules.size() && !reporter_.is_full();
+         ++i) {
       const ast::Rule& rule = file_.rules[i];
       CheckHead(rule, resolution_.heads[i]);
-      for (std::uint32_t k = 0; k < rule.symbols.count && !is_full(); ++k) {
+      for (std::uint32_t k = 0; k < rule.symbols.count && !reporter_.is_full();
+           ++k) {
         const auto id = resolution_.symbols[rule.symbols.first + k];
         if (id) CheckArguments(file_.symbols[rule.symbols.first + k], *id);
       }
       if (alphabet_.is_built_in()) CheckCore(rule, resolution_.heads[i]);
     }
     for (const ast::Test& test : file_.tests) {
-      for (std::uint32_t k = 0; k < test.symbols.count && !is_full(); ++k) {
+      for (std::uint32_t k = 0; k < test.symbols.count && !reporter_.is_full();
+           ++k) {
         const ast::Symbol& symbol = file_.symbols[test.symbols.first + k];
         const auto id = resolution_.symbols[test.symbols.first + k];
         // Arguments that are left out will be whatever they are.
         if (id && symbol.has_parens) CheckArguments(symbol, *id);
       }
     }
-    return std::move(diagnostics_);
   }
 
  private:
-  bool is_full() const { return diagnostics_.size() >= kMaxReported; }
-
-  Diagnostic& Report(const char* code, Span span, std::string message) {
-    Diagnostic diagnostic;
-    diagnostic.code = code;
-    diagnostic.span = span;
-    diagnostic.message = std::move(message);
-    return diagnostics_.emplace_back(std::move(diagnostic));
-  }
-
   void CheckHead(const ast::Rule& rule, std::optional<SymbolId> head) {
     if (!head || alphabet_[*head].is_replaceable) return;
     std::vector<std::string> replaceable;
     for (const SymbolInfo& symbol : alphabet_.symbols())
       if (symbol.is_replaceable) replaceable.push_back(symbol.name);
-    Report("P2007", rule.head,
-           fmt::format("'{}' is a {} and cannot have a rule",
-                       file_.Text(rule.head),
-                       alphabet_.is_built_in() ? "command" : "terminal"))
-        .label = replaceable.empty()
-                     ? "no symbol of this alphabet is replaceable"
-                     : fmt::format("replaceable symbols are {}",
-                                   fmt::join(replaceable, ", "));
+    reporter_
+        .Report(Code::kNotReplaceable, rule.head,
+                fmt::format("'{}' is a {} and cannot have a rule",
+                            file_.Text(rule.head),
+                            alphabet_.is_built_in() ? "command" : "terminal"))
+        .WithLabel(replaceable.empty()
+                       ? "no symbol of this alphabet is replaceable"
+                       : fmt::format("replaceable symbols are {}",
+                                     fmt::join(replaceable, ", ")));
   }
 
   void CheckArguments(const ast::Symbol& symbol, SymbolId id) {
@@ -106,16 +101,16 @@ class SymbolChecker {
         wanted == 0 ? "no parameters"
                     : fmt::format("{} parameter{} ({})", wanted,
                                   wanted == 1 ? "" : "s", NamesOf(info));
-    Diagnostic& diagnostic =
-        Report("P2002", symbol.span,
-               fmt::format("{} takes {}, {} given", info.name, takes, given));
+    Diagnostic& diagnostic = reporter_.Report(
+        Code::kArgumentCount, symbol.span,
+        fmt::format("{} takes {}, {} given", info.name, takes, given));
     if (given < wanted) {
       const Parameter& missing = info.parameters[given];
       diagnostic.label = fmt::format("missing '{}'", missing.name);
       if (!missing.doc.empty())
         diagnostic.label += fmt::format(" ({})", missing.doc);
     } else if (wanted == 0) {
-      diagnostic.fixes.push_back({{symbol.name.end, symbol.span.end}, ""});
+      diagnostic.WithFix({symbol.name.end, symbol.span.end}, "");
     }
   }
 
@@ -124,16 +119,17 @@ class SymbolChecker {
     const bool is_whole =
         argument.is_integer && std::abs(argument.value) <= kMaxWholeNumber;
     if (parameter.is_integer && !is_whole) {
-      Report("P2003", span,
-             fmt::format("parameter '{}' of {} must be a whole number",
-                         parameter.name, info.name))
-          .label = "written without '.' and exponent, as in '2'";
+      reporter_
+          .Report(Code::kNotWhole, span,
+                  fmt::format("parameter '{}' of {} must be a whole number",
+                              parameter.name, info.name))
+          .WithLabel("written without '.' and exponent, as in '2'");
       return;
     }
     if (argument.value >= parameter.low && argument.value <= parameter.high)
       return;
-    Diagnostic& diagnostic = Report(
-        "P2004", span,
+    Diagnostic diagnostic(
+        Code::kArgumentRange, span,
         fmt::format("parameter '{}' of {} is {}, expected {}", parameter.name,
                     info.name, file_.Text(span), RangeText(parameter)));
     diagnostic.label = Signature(info);
@@ -141,29 +137,33 @@ class SymbolChecker {
       diagnostic.severity = Severity::kWarning;
     else
       diagnostic.help = "'--allow-range' makes this a warning";
+    reporter_.Add(std::move(diagnostic));
   }
 
   // A robot has exactly one core: every production of C starts with it, and
   // it occurs nowhere else.
   void CheckCore(const ast::Rule& rule, std::optional<SymbolId> head) {
     const bool is_core_rule = head == plasticoding::kC;
-    for (std::uint32_t k = 0; k < rule.symbols.count && !is_full(); ++k) {
+    for (std::uint32_t k = 0; k < rule.symbols.count && !reporter_.is_full();
+         ++k) {
       const std::uint32_t at = rule.symbols.first + k;
       const auto id = resolution_.symbols[at];
       const bool is_core = id == plasticoding::kC;
       const Span span = file_.symbols[at].span;
       if (is_core && (!is_core_rule || k > 0)) {
-        Report("P2008", span,
-               "the core C may appear only as the first symbol of a rule for "
-               "C")
-            .label = "a robot has exactly one core";
+        reporter_
+            .Report(
+                Code::kMisplacedCore, span,
+                "the core C may appear only as the first symbol of a rule for "
+                "C")
+            .WithLabel("a robot has exactly one core");
       } else if (is_core_rule && k == 0 && !is_core && id) {
-        Diagnostic& diagnostic =
-            Report("P2008", span,
-                   fmt::format("a rule for C must start with C, not with '{}'",
-                               file_.Text(file_.symbols[at].name)));
-        diagnostic.label = "the robot would lose its core";
-        diagnostic.fixes.push_back({{span.begin, span.begin}, "C "});
+        reporter_
+            .Report(Code::kMisplacedCore, span,
+                    fmt::format("a rule for C must start with C, not with '{}'",
+                                file_.Text(file_.symbols[at].name)))
+            .WithLabel("the robot would lose its core")
+            .WithFix({span.begin, span.begin}, "C ");
       }
     }
   }
@@ -172,7 +172,7 @@ class SymbolChecker {
   const Alphabet& alphabet_;
   const Resolution& resolution_;
   const CompileOptions& options_;
-  std::vector<Diagnostic> diagnostics_;
+  Reporter& reporter_;
 };
 
 }  // namespace
@@ -188,10 +188,10 @@ std::string Signature(const SymbolInfo& symbol) {
   return text.empty() ? symbol.name : fmt::format("{}({})", symbol.name, text);
 }
 
-std::vector<Diagnostic> CheckSymbols(const ast::File& file, const Scope& scope,
-                                     const Resolution& resolution,
-                                     const CompileOptions& options) {
-  return SymbolChecker(file, scope, resolution, options).Check();
+void CheckSymbols(const ast::File& file, const Scope& scope,
+                  const Resolution& resolution, const CompileOptions& options,
+                  Reporter* reporter) {
+  SymbolChecker(file, scope, resolution, options, reporter).Check();
 }
 
 }  // namespace plsc

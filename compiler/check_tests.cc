@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "compiler/limits.h"
+#include "grammar/reporter.h"
 #include "grammar/suggest.h"
 
 namespace plsc {
@@ -30,39 +31,32 @@ class TestChecker {
   std::vector<Diagnostic> Check() {
     std::unordered_map<std::string_view, Span> names;
     for (const ast::Test& test : file_.tests) {
-      if (diagnostics_.size() >= kMaxReported) break;
+      if (reporter_.is_full()) break;
       const auto [first, is_new] =
           names.emplace(file_.Text(test.name), test.name);
       if (!is_new)
-        Report(
-            "P2017", test.name,
-            fmt::format("test '{}' is declared twice", file_.Text(test.name)))
-            .others.push_back({first->second, "first declared here"});
+        reporter_
+            .Report(Code::kRepeatedName, test.name,
+                    fmt::format("test '{}' is declared twice",
+                                file_.Text(test.name)))
+            .WithOther(first->second, "first declared here");
       CheckPlace(test);
       if (test.has_after) CheckAfter(test.after);
       if (test.nodes.count > 0) CheckBody(test);
     }
-    return std::move(diagnostics_);
+    return reporter_.Take();
   }
 
  private:
-  Diagnostic& Report(const char* code, Span span, std::string message) {
-    Diagnostic diagnostic;
-    diagnostic.code = code;
-    diagnostic.span = span;
-    diagnostic.message = std::move(message);
-    return diagnostics_.emplace_back(std::move(diagnostic));
-  }
-
   void CheckPlace(const ast::Test& test) {
     // The environment that is meant may be the one that did not parse.
     if (file_.is_incomplete) return;
     if (test.environment.end == 0) {
       if (scope_.header.states.empty()) return;
       Diagnostic& diagnostic =
-          Report("P2020", test.name,
-                 fmt::format("test '{}' does not say its environment",
-                             file_.Text(test.name)));
+          reporter_.Report(Code::kWrongTest, test.name,
+                           fmt::format("test '{}' does not say its environment",
+                                       file_.Text(test.name)));
       if (environments_.empty())
         diagnostic.help =
             "declare one, as in 'environment flat { inclined = False }', and "
@@ -74,39 +68,37 @@ class TestChecker {
     }
     const std::string_view place = file_.Text(test.environment);
     if (known_.contains(place)) return;
-    Diagnostic& diagnostic =
-        Report("P2020", test.environment,
-               fmt::format("environment '{}' is not declared", place));
-    if (const auto near = Suggest(place, environments_)) {
-      diagnostic.label = fmt::format("did you mean '{}'?", *near);
-      diagnostic.fixes.push_back({test.environment, *near});
-    } else {
+    Diagnostic& diagnostic = reporter_.Report(
+        Code::kWrongTest, test.environment,
+        fmt::format("environment '{}' is not declared", place));
+    if (!AddSuggestion(place, environments_, &diagnostic))
       diagnostic.help =
           fmt::format("declare it, as in 'environment {} {{ ... }}'", place);
-    }
   }
 
   void CheckAfter(const ast::Value& after) {
     const int most = scope_.header.development.iterations;
     if (after.is_integer && after.number >= 0 && after.number <= most) return;
-    Report("P2020", after.span,
-           fmt::format("there is no string after {} rewritings",
-                       file_.Text(after.span)))
-        .label = fmt::format("this genotype has 0 to {}", most);
+    reporter_
+        .Report(Code::kWrongTest, after.span,
+                fmt::format("there is no string after {} rewritings",
+                            file_.Text(after.span)))
+        .WithLabel(fmt::format("this genotype has 0 to {}", most));
   }
 
   void CheckBody(const ast::Test& test) {
     if (scope_.header.alphabet == nullptr) return;
     if (!scope_.header.alphabet->is_built_in()) {
-      Report("P2021", test.name,
-             fmt::format("alphabet '{}' has no bodies",
-                         scope_.header.alphabet->name()))
-          .help = "expect a string: '-> { ... }'";
+      reporter_
+          .Report(Code::kImpossibleBody, test.name,
+                  fmt::format("alphabet '{}' has no bodies",
+                              scope_.header.alphabet->name()))
+          .WithHelp("expect a string: '-> { ... }'");
       return;
     }
     path_.clear();
     for (std::uint32_t k = 0; k < test.nodes.count; ++k) {
-      if (diagnostics_.size() >= kMaxReported) return;
+      if (reporter_.is_full()) return;
       CheckModule(test.nodes.first + k);
     }
   }
@@ -125,13 +117,17 @@ class TestChecker {
         scope_.header.SymbolOf(id).category == Category::kModule;
     const std::string_view name = file_.Text(node.name);
     if (!is_module)
-      Report("P2021", node.name, fmt::format("'{}' is no module", name)).label =
-          "modules are C, B, A1, A2 and T";
+      reporter_
+          .Report(Code::kImpossibleBody, node.name,
+                  fmt::format("'{}' is no module", name))
+          .WithLabel("modules are C, B, A1, A2 and T");
     else if (node.depth == 0 && id != plasticoding::kC)
-      Report("P2021", node.name,
-             fmt::format("a body starts with the core C, not with '{}'", name));
+      reporter_.Report(
+          Code::kImpossibleBody, node.name,
+          fmt::format("a body starts with the core C, not with '{}'", name));
     else if (node.depth > 0 && id == plasticoding::kC)
-      Report("P2021", node.name, "a robot has exactly one core");
+      reporter_.Report(Code::kImpossibleBody, node.name,
+                       "a robot has exactly one core");
   }
 
   // Joints carry modules at the front only, sensors none (paper, Fig. 2). What
@@ -141,23 +137,28 @@ class TestChecker {
     Open& parent = path_.back();
     Span& taken = parent.faces[static_cast<std::size_t>(face)];
     if (taken.end > 0)
-      Report("P2021", node.face,
-             fmt::format("the {} of this module is given twice",
-                         NameIn(kFaceNames, face)))
-          .others.push_back({taken, "first given here"});
+      reporter_
+          .Report(Code::kImpossibleBody, node.face,
+                  fmt::format("the {} of this module is given twice",
+                              NameIn(kFaceNames, face)))
+          .WithOther(taken, "first given here");
     taken = node.face;
     if (parent.symbol == plasticoding::kT)
-      Report("P2021", node.face, "nothing can be mounted on a sensor");
+      reporter_.Report(Code::kImpossibleBody, node.face,
+                       "nothing can be mounted on a sensor");
     const bool is_joint = parent.symbol == plasticoding::kA1 ||
                           parent.symbol == plasticoding::kA2;
     if (is_joint && face != Face::kFront)
-      Report("P2021", node.face,
-             fmt::format("a joint has no {} face", NameIn(kFaceNames, face)))
-          .label = "modules are mounted at its front";
+      reporter_
+          .Report(
+              Code::kImpossibleBody, node.face,
+              fmt::format("a joint has no {} face", NameIn(kFaceNames, face)))
+          .WithLabel("modules are mounted at its front");
     if (face == Face::kBack && !is_joint && parent.symbol &&
         parent.symbol != plasticoding::kC && parent.symbol != plasticoding::kT)
-      Report("P2021", node.face, "only the core has a back").label =
-          "a module's back is where it is mounted itself";
+      reporter_
+          .Report(Code::kImpossibleBody, node.face, "only the core has a back")
+          .WithLabel("a module's back is where it is mounted itself");
   }
 
   // A module whose children are being read.
@@ -172,7 +173,7 @@ class TestChecker {
   std::vector<std::string_view> environments_;  // in file order
   std::unordered_set<std::string_view> known_;
   std::vector<Open> path_;
-  std::vector<Diagnostic> diagnostics_;
+  Reporter reporter_;
 };
 
 }  // namespace

@@ -26,6 +26,7 @@
 #include "compiler/suppress.h"
 #include "compiler/verify.h"
 #include "grammar/parse.h"
+#include "grammar/reporter.h"
 
 namespace plsc {
 
@@ -35,12 +36,6 @@ using Diagnostics = std::vector<Diagnostic>;
 
 void Append(Diagnostics more, Diagnostics* all) {
   std::move(more.begin(), more.end(), std::back_inserter(*all));
-}
-
-bool HasErrors(const Diagnostics& diagnostics) {
-  return std::any_of(
-      diagnostics.begin(), diagnostics.end(),
-      [](const Diagnostic& d) { return d.severity == Severity::kError; });
 }
 
 // What compiles passes Verify. Tests and fuzzers ask Verify themselves, in
@@ -77,20 +72,19 @@ std::optional<Program> CompileSection(const ast::File& file,
 }
 
 // A name is how FILE#NAME chooses a genotype.
-void CheckNames(const ast::File& file, Diagnostics* diagnostics) {
+Diagnostics CheckNames(const ast::File& file) {
+  Reporter reporter;
   std::unordered_map<std::string_view, Span> names;
   for (const ast::Naming& genotype : file.genotypes) {
     const auto [first, is_new] =
         names.emplace(file.Text(genotype.name), genotype.name);
-    if (is_new || diagnostics->size() >= kMaxReported) continue;
-    Diagnostic diagnostic;
-    diagnostic.code = "P2017";
-    diagnostic.span = genotype.name;
-    diagnostic.message =
-        fmt::format("genotype '{}' is declared twice", first->first);
-    diagnostic.others.push_back({first->second, "first declared here"});
-    diagnostics->push_back(std::move(diagnostic));
+    if (is_new) continue;
+    reporter
+        .Report(Code::kRepeatedName, genotype.name,
+                fmt::format("genotype '{}' is declared twice", first->first))
+        .WithOther(first->second, "first declared here");
   }
+  return reporter.Take();
 }
 
 // What is shared is copied into each genotype, so that a small file could ask
@@ -105,15 +99,15 @@ std::size_t SharedBytes(const ast::File& file) {
 }
 
 Diagnostic TooMuchShared(const ast::File& file) {
-  Diagnostic diagnostic;
-  diagnostic.code = "P3002";
-  diagnostic.span = file.genotypes[0].name;
-  diagnostic.message = fmt::format(
-      "{} genotypes share {} bytes of text: together more than {} MiB",
-      file.genotypes.size(), SharedBytes(file), kMaxSharedText >> 20U);
-  diagnostic.label = "what stands before this belongs to each genotype";
-  diagnostic.help = "spread the genotypes over several files";
-  return diagnostic;
+  return Diagnostic(
+             Code::kLimit, file.genotypes[0].name,
+             fmt::format(
+                 "{} genotypes share {} bytes of text: together more than {} "
+                 "MiB",
+                 file.genotypes.size(), SharedBytes(file),
+                 kMaxSharedText >> 20U))
+      .WithLabel("what stands before this belongs to each genotype")
+      .WithHelp("spread the genotypes over several files");
 }
 
 // Calls `take` with the program and the map of each genotype. The diagnostics,
@@ -134,7 +128,7 @@ Diagnostics CompileEach(const Source& source, const CompileOptions& options,
     if (program) take(*std::move(program), std::move(map));
   };
   if (file.genotypes.size() > 1) {
-    CheckNames(file, &diagnostics);
+    Append(CheckNames(file), &diagnostics);
     if (SharedBytes(file) * file.genotypes.size() > kMaxSharedText) {
       diagnostics.push_back(TooMuchShared(file));
       SortAndDropRepeated(&diagnostics);
@@ -185,15 +179,13 @@ Result<std::vector<MappedProgram>> CompileAllWithMap(
 Diagnostic SeveralGenotypes(const Source& source) {
   const ast::File file = Parse(source).file;
   assert(file.genotypes.size() > 1);
-  Diagnostic diagnostic;
-  diagnostic.code = "P2019";
-  diagnostic.span = file.genotypes[1].name;
-  diagnostic.message =
-      fmt::format("this file holds {} genotypes", file.genotypes.size());
-  diagnostic.label = "the second one";
-  diagnostic.help = fmt::format("choose one by its name, as in '{}#{}'",
-                                source.name(), file.Text(diagnostic.span));
-  return diagnostic;
+  const Span second = file.genotypes[1].name;
+  return Diagnostic(
+             Code::kSeveralGenotypes, second,
+             fmt::format("this file holds {} genotypes", file.genotypes.size()))
+      .WithLabel("the second one")
+      .WithHelp(fmt::format("choose one by its name, as in '{}#{}'",
+                            source.name(), file.Text(second)));
 }
 
 namespace {

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "grammar/number.h"
+#include "grammar/reporter.h"
 
 namespace plsc {
 
@@ -32,16 +33,6 @@ Span Trim(const Source& source, Span span) {
   return span;
 }
 
-Diagnostic Error(const char* code, Span span, std::string message,
-                 std::string help) {
-  Diagnostic diagnostic;
-  diagnostic.code = code;
-  diagnostic.span = span;
-  diagnostic.message = std::move(message);
-  diagnostic.help = std::move(help);
-  return diagnostic;
-}
-
 // "a=1, b = 2" into its parts; an empty text has none.
 Result<std::vector<Assignment>> Split(const Source& source) {
   std::vector<Assignment> assignments;
@@ -54,8 +45,8 @@ Result<std::vector<Assignment>> Split(const Source& source) {
     const Span part = Trim(source, {begin, comma});
     const std::size_t equals = At(source, part).find('=');
     if (equals == std::string_view::npos)
-      return Error("P1115", part, "expected STATE=VALUE",
-                   "write an environment as inclined=True,hot=False");
+      return Diagnostic(Code::kMissingMark, part, "expected STATE=VALUE")
+          .WithHelp("write an environment as inclined=True,hot=False");
     const auto middle = part.begin + static_cast<std::uint32_t>(equals);
     assignments.push_back({Trim(source, {part.begin, middle}),
                            Trim(source, {middle + 1, part.end})});
@@ -68,10 +59,9 @@ Result<std::vector<Assignment>> Split(const Source& source) {
 Diagnostic WrongValue(const Source& source, Span span, const State& state) {
   const bool is_number = state.type == StateType::kReal &&
                          ParseNumber<double>(At(source, span)).has_value();
-  return Error(is_number ? "P2015" : "P2006", span,
-               fmt::format("expected {} for state '{}', found '{}'",
-                           ExpectedValue(state), state.name, At(source, span)),
-               "");
+  return {is_number ? Code::kWrongEnvironment : Code::kValueType, span,
+          fmt::format("expected {} for state '{}', found '{}'",
+                      ExpectedValue(state), state.name, At(source, span))};
 }
 
 Diagnostic Missing(const Source& source, const State& state) {
@@ -80,11 +70,11 @@ Diagnostic Missing(const Source& source, const State& state) {
                         : state.type == StateType::kEnum
                             ? state.values.front().c_str()
                             : "0.5";
-  return Error("P2015", {end, end},
-               fmt::format("no value for state '{}'", state.name),
-               fmt::format("every state that the genotype senses needs a "
-                           "value: add {}={}",
-                           state.name, example));
+  return Diagnostic(Code::kWrongEnvironment, {end, end},
+                    fmt::format("no value for state '{}'", state.name))
+      .WithHelp(fmt::format("every state that the genotype senses needs a "
+                            "value: add {}={}",
+                            state.name, example));
 }
 
 }  // namespace
@@ -129,45 +119,40 @@ Result<Environment> ParseEnvironment(const Source& source,
   const Result<std::vector<Assignment>> assignments = Split(source);
   if (!assignments) return assignments.diagnostics();
 
-  std::vector<Diagnostic> errors;
-  std::vector<Diagnostic> warnings;
+  Reporter errors;
+  Reporter warnings;
   std::vector<std::optional<double>> values(states.size());
   std::map<std::string_view, Span> seen;
   for (const auto& [name_span, value_span] : *assignments) {
     const std::string_view name = At(source, name_span);
     if (!seen.emplace(name, name_span).second) {
-      errors.push_back(Error("P2015", name_span,
-                             fmt::format("state '{}' is given twice", name),
-                             ""));
+      errors.Report(Code::kWrongEnvironment, name_span,
+                    fmt::format("state '{}' is given twice", name));
       continue;
     }
     const auto state =
         std::find_if(states.begin(), states.end(),
                      [&](const State& s) { return s.name == name; });
     if (state == states.end()) {
-      Diagnostic warning = Error(
-          "W2005", name_span,
-          fmt::format("the genotype does not sense '{}'; ignored", name), "");
-      warning.severity = Severity::kWarning;
-      warnings.push_back(std::move(warning));
+      warnings.Report(
+          Code::kUnsensedState, name_span,
+          fmt::format("the genotype does not sense '{}'; ignored", name));
       continue;
     }
     auto& value = values[static_cast<std::size_t>(state - states.begin())];
     value = ParseStateValue(At(source, value_span), *state);
-    if (!value) errors.push_back(WrongValue(source, value_span, *state));
+    if (!value) errors.Add(WrongValue(source, value_span, *state));
   }
 
   Environment environment;
   for (std::size_t i = 0; i < states.size(); ++i) {
-    if (!seen.contains(states[i].name))
-      errors.push_back(Missing(source, states[i]));
+    if (!seen.contains(states[i].name)) errors.Add(Missing(source, states[i]));
     environment.values.push_back(values[i].value_or(0));
   }
-  if (!errors.empty()) {
-    errors.insert(errors.end(), warnings.begin(), warnings.end());
-    return errors;
-  }
-  return {std::move(environment), std::move(warnings)};
+  if (!errors.has_errors()) return {std::move(environment), warnings.Take()};
+  std::vector<Diagnostic> all = errors.Take();
+  for (Diagnostic& warning : warnings.Take()) all.push_back(std::move(warning));
+  return all;
 }
 
 }  // namespace plsc

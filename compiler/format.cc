@@ -31,12 +31,11 @@ std::vector<std::string> SortedComments(const ast::File& file) {
 }
 
 Diagnostic Defect(std::string_view what) {
-  Diagnostic diagnostic;
-  diagnostic.code = "P5090";
-  diagnostic.message =
-      fmt::format("the formatted text {}; the file is left as it is", what);
-  diagnostic.help = "this is a defect of plsc; please report it with the file";
-  return diagnostic;
+  return Diagnostic(
+             Code::kFormatterDefect, {},
+             fmt::format("the formatted text {}; the file is left as it is",
+                         what))
+      .WithHelp("this is a defect of plsc; please report it with the file");
 }
 
 }  // namespace

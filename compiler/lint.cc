@@ -18,6 +18,7 @@
 #include <utility>
 
 #include "compiler/truth.h"
+#include "grammar/reporter.h"
 
 namespace plsc {
 
@@ -36,15 +37,6 @@ struct Coverage {
   TruthTable several;
   bool has_constant = false;  // some rule is active everywhere
 };
-
-Diagnostic Warn(const char* code, Span span, std::string message) {
-  Diagnostic warning;
-  warning.severity = Severity::kWarning;
-  warning.code = code;
-  warning.span = span;
-  warning.message = std::move(message);
-  return warning;
-}
 
 Coverage Cover(std::span<const Rule> rules, const StateSpace& space) {
   const int size = *space.size();
@@ -67,13 +59,11 @@ std::optional<Diagnostic> GapWarning(const Group& group, const TruthTable& none,
                                      const std::vector<State>& states) {
   const std::optional<int> first = none.First();
   if (!first) return std::nullopt;
-  Diagnostic warning =
-      Warn("W3003", group.written[0].head,
-           fmt::format("no rule for '{}' is active when {}", group.head,
-                       space.Describe(*first, states)));
-  warning.label = fmt::format("{} stays as it is in {} of {} environments",
-                              group.head, none.Count(), *space.size());
-  return warning;
+  return Diagnostic(Code::kNoActiveRule, group.written[0].head,
+                    fmt::format("no rule for '{}' is active when {}",
+                                group.head, space.Describe(*first, states)))
+      .WithLabel(fmt::format("{} stays as it is in {} of {} environments",
+                             group.head, none.Count(), *space.size()));
 }
 
 std::optional<Diagnostic> JoinWarning(const Group& group,
@@ -88,40 +78,39 @@ std::optional<Diagnostic> JoinWarning(const Group& group,
     if (ClauseHolds(group.rules[i].clause, values))
       active.push_back(group.written[i].clause);
   assert(active.size() >= 2);
-  Diagnostic warning =
-      Warn("W3004", active[1],
-           fmt::format("{} rules for '{}' are active when {}", active.size(),
-                       group.head, space.Describe(*first, states)));
-  warning.label = fmt::format("joined in {} of {} environments",
-                              several.Count(), *space.size());
-  warning.others.push_back({active[0], "holds there too"});
-  warning.help =
-      "make the clauses exclude each other, or write '# plsc: allow W3004' "
-      "if the productions are meant to be joined";
-  return warning;
+  return Diagnostic(
+             Code::kSeveralActiveRules, active[1],
+             fmt::format("{} rules for '{}' are active when {}", active.size(),
+                         group.head, space.Describe(*first, states)))
+      .WithLabel(fmt::format("joined in {} of {} environments", several.Count(),
+                             *space.size()))
+      .WithOther(active[0], "holds there too")
+      .WithHelp(fmt::format(
+          "make the clauses exclude each other, or write '# plsc: allow {}' "
+          "if the productions are meant to be joined",
+          NumberOf(Code::kSeveralActiveRules)));
 }
 
 void LintGroup(const Group& group, const std::vector<State>& states,
-               std::vector<Diagnostic>* warnings) {
+               Reporter* reporter) {
   std::vector<const Clause*> clauses;
   for (const Rule& rule : group.rules) clauses.push_back(&rule.clause);
   const StateSpace space(clauses, states);
   if (!space.size()) {
-    warnings->push_back(
-        Warn("W3005", group.written[0].head,
-             fmt::format("the clauses for '{}' tell apart more than {} "
-                         "environments; not checked",
-                         group.head, StateSpace::kMaxCombinations)));
+    reporter->Report(Code::kUnchecked, group.written[0].head,
+                     fmt::format("the clauses for '{}' tell apart more than {} "
+                                 "environments; not checked",
+                                 group.head, StateSpace::kMaxCombinations));
     return;
   }
   const Coverage coverage = Cover(group.rules, space);
   if (auto gap = GapWarning(group, coverage.none, space, states))
-    warnings->push_back(std::move(*gap));
+    reporter->Add(std::move(*gap));
   // Beside a rule that is always active, others can only be meant to be
   // joined.
   if (coverage.has_constant) return;
   if (auto join = JoinWarning(group, coverage.several, space, states))
-    warnings->push_back(std::move(*join));
+    reporter->Add(std::move(*join));
 }
 
 }  // namespace
@@ -130,7 +119,7 @@ std::vector<Diagnostic> LintClauses(const Program& program,
                                     const SourceMap& map) {
   const Genotype& genotype = program.genotype;
   assert(map.rules.size() == genotype.rules.size());
-  std::vector<Diagnostic> warnings;
+  Reporter reporter;
   const std::span<const Rule> rules = genotype.rules;
   for (std::size_t begin = 0; begin < rules.size();) {
     std::size_t end = begin + 1;
@@ -138,10 +127,10 @@ std::vector<Diagnostic> LintClauses(const Program& program,
     const Group group{genotype.SymbolOf(rules[begin].head).name,
                       rules.subspan(begin, end - begin),
                       std::span(map.rules).subspan(begin, end - begin)};
-    LintGroup(group, genotype.states, &warnings);
+    LintGroup(group, genotype.states, &reporter);
     begin = end;
   }
-  return warnings;
+  return reporter.Take();
 }
 
 }  // namespace plsc

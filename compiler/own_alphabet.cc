@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "compiler/limits.h"
+#include "grammar/reporter.h"
 
 namespace plsc {
 
@@ -21,10 +22,11 @@ class Declarer {
     std::vector<SymbolInfo> symbols;
     for (const ast::Declaration& symbol :
          ast::Slice(file_.declarations, declared.declarations)) {
-      if (diagnostics_.size() >= kMaxReported) break;
+      if (reporter_.is_full()) break;
       if (symbols.size() == kMaxSymbols) {
-        Report("P3002", symbol.name,
-               fmt::format("an alphabet has at most {} symbols", kMaxSymbols));
+        reporter_.Report(
+            Code::kLimit, symbol.name,
+            fmt::format("an alphabet has at most {} symbols", kMaxSymbols));
         break;
       }
       if (IsNew(symbol.name, "symbol", &symbol_spans_))
@@ -32,27 +34,20 @@ class Declarer {
     }
     return {std::make_shared<const Alphabet>(
                 std::string(file_.Text(declared.name)), 0, std::move(symbols)),
-            std::move(diagnostics_)};
+            reporter_.Take()};
   }
 
  private:
   using Spans = std::unordered_map<std::string_view, Span>;
 
-  void Report(const char* code, Span span, std::string message) {
-    Diagnostic diagnostic;
-    diagnostic.code = code;
-    diagnostic.span = span;
-    diagnostic.message = std::move(message);
-    diagnostics_.push_back(std::move(diagnostic));
-  }
-
   bool IsNew(Span name, const char* what, Spans* known) {
     const auto [first, is_new] = known->emplace(file_.Text(name), name);
     if (is_new) return true;
-    Report("P2017", name,
-           fmt::format("{} '{}' is declared twice", what, file_.Text(name)));
-    diagnostics_.back().others.push_back(
-        {first->second, "first declared here"});
+    reporter_
+        .Report(
+            Code::kRepeatedName, name,
+            fmt::format("{} '{}' is declared twice", what, file_.Text(name)))
+        .WithOther(first->second, "first declared here");
     return false;
   }
 
@@ -65,9 +60,10 @@ class Declarer {
     Spans names;
     const auto parameters = ast::Slice(file_.parameters, declared.parameters);
     if (parameters.size() > kMaxParameters) {
-      Report("P2018", parameters[kMaxParameters].name,
-             fmt::format("a symbol has at most {} parameters, '{}' has {}",
-                         kMaxParameters, symbol.name, parameters.size()));
+      reporter_.Report(
+          Code::kWrongParameters, parameters[kMaxParameters].name,
+          fmt::format("a symbol has at most {} parameters, '{}' has {}",
+                      kMaxParameters, symbol.name, parameters.size()));
       return symbol;
     }
     for (const ast::Parameter& parameter : parameters)
@@ -96,21 +92,23 @@ class Declarer {
       const bool is_whole =
           bound->is_integer && std::abs(bound->number) <= kMaxWholeNumber;
       if (declared.is_integer && !is_whole)
-        Report("P2018", bound->span,
-               fmt::format("expected a whole number up to 2^53 as a bound of "
-                           "'{}', which is int",
-                           file_.Text(declared.name)));
+        reporter_.Report(
+            Code::kWrongParameters, bound->span,
+            fmt::format("expected a whole number up to 2^53 as a bound of "
+                        "'{}', which is int",
+                        file_.Text(declared.name)));
     }
     if (low.number > high.number)
-      Report("P2018", {low.span.begin, high.span.end},
-             fmt::format("the range of '{}' is empty: {} is more than {}",
-                         file_.Text(declared.name), file_.Text(low.span),
-                         file_.Text(high.span)));
+      reporter_.Report(
+          Code::kWrongParameters, {low.span.begin, high.span.end},
+          fmt::format("the range of '{}' is empty: {} is more than {}",
+                      file_.Text(declared.name), file_.Text(low.span),
+                      file_.Text(high.span)));
   }
 
   const ast::File& file_;
   Spans symbol_spans_;
-  std::vector<Diagnostic> diagnostics_;
+  Reporter reporter_;
 };
 
 }  // namespace

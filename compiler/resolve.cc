@@ -14,7 +14,6 @@
 
 #include <fmt/format.h>
 
-#include <cassert>
 #include <string>
 #include <utility>
 
@@ -22,6 +21,7 @@
 #include "compiler/limits.h"
 #include "grammar/number.h"
 #include "grammar/number_error.h"
+#include "grammar/reporter.h"
 #include "grammar/suggest.h"
 
 namespace plsc {
@@ -57,31 +57,14 @@ class Resolver {
         result_.entries[at] = ResolveTerm(entry.state, entry.value);
       }
     for (const ast::Test& test : file_.tests) ResolveTest(test);
+    result_.diagnostics = reporter_.Take();
     return std::move(result_);
   }
 
  private:
-  bool is_full() const { return result_.diagnostics.size() >= kMaxReported; }
-
-  // Only while there is room: what is reported is described in full, and what
-  // is not costs no search for similar names.
-  Diagnostic& Report(const char* code, Span span, std::string message,
-                     std::string label = "") {
-    assert(!is_full());
-    Diagnostic diagnostic;
-    diagnostic.code = code;
-    diagnostic.span = span;
-    diagnostic.message = std::move(message);
-    diagnostic.label = std::move(label);
-    return result_.diagnostics.emplace_back(std::move(diagnostic));
-  }
-
   void SuggestAmong(const std::vector<std::string_view>& known,
                     Diagnostic* diagnostic) {
-    const auto near = Suggest(file_.Text(diagnostic->span), known);
-    if (!near) return;
-    diagnostic->label = fmt::format("did you mean '{}'?", *near);
-    diagnostic->fixes.push_back({diagnostic->span, *near});
+    AddSuggestion(file_.Text(diagnostic->span), known, diagnostic);
   }
 
   void ResolveRule(std::size_t index) {
@@ -97,12 +80,13 @@ class Resolver {
       if (!IsOrdered(resolved->state) && term.comparison != kEqual &&
           term.comparison != kNotEqual) {
         resolved.reset();
-        if (is_full()) continue;
-        Report("P2006", term.comparison_span,
-               fmt::format("'{}' cannot be compared with '{}'",
-                           file_.Text(term.state),
-                           file_.Text(term.comparison_span)),
-               "only '=' and '!=' here");
+        if (reporter_.is_full()) continue;
+        reporter_
+            .Report(Code::kValueType, term.comparison_span,
+                    fmt::format("'{}' cannot be compared with '{}'",
+                                file_.Text(term.state),
+                                file_.Text(term.comparison_span)))
+            .WithLabel("only '=' and '!=' here");
       }
     }
     ResolveSymbols(rule.symbols);
@@ -130,13 +114,14 @@ class Resolver {
 
   std::optional<Face> ResolveFace(Span name) {
     if (const auto face = ValueIn(kFaceNames, file_.Text(name))) return face;
-    if (is_full()) return std::nullopt;
+    if (reporter_.is_full()) return std::nullopt;
     const std::vector<std::string_view> names = AllNames(kFaceNames);
     SuggestAmong(
         names,
-        &Report("P2021", name,
-                fmt::format("a module has no face '{}'", file_.Text(name)),
-                fmt::format("faces are {}", fmt::join(names, ", "))));
+        &reporter_
+             .Report(Code::kImpossibleBody, name,
+                     fmt::format("a module has no face '{}'", file_.Text(name)))
+             .WithLabel(fmt::format("faces are {}", fmt::join(names, ", "))));
     return std::nullopt;
   }
 
@@ -153,11 +138,11 @@ class Resolver {
     if (alphabet == nullptr) return std::nullopt;
     const std::string_view text = file_.Text(name);
     if (const auto id = alphabet->Find(text)) return id;
-    if (is_full()) return std::nullopt;
+    if (reporter_.is_full()) return std::nullopt;
     Diagnostic& diagnostic =
-        Report("P2001", name,
-               fmt::format("unknown symbol '{}' in alphabet '{}'", text,
-                           alphabet->name()));
+        reporter_.Report(Code::kUnknownSymbol, name,
+                         fmt::format("unknown symbol '{}' in alphabet '{}'",
+                                     text, alphabet->name()));
     const std::string_view foreign = alphabet->is_built_in()
                                          ? PlasticodingNameFor(text)
                                          : std::string_view();
@@ -168,9 +153,9 @@ class Resolver {
                            }),
                    &diagnostic);
     } else {
-      diagnostic.label = fmt::format("write '{}'", foreign);
-      diagnostic.notes.push_back(ForeignNote(text));
-      diagnostic.fixes.push_back({name, std::string(foreign)});
+      diagnostic.WithLabel(fmt::format("write '{}'", foreign))
+          .WithNote(ForeignNote(text))
+          .WithFix(name, std::string(foreign));
     }
     return std::nullopt;
   }
@@ -178,15 +163,16 @@ class Resolver {
   const Constant* ResolveConstant(const ast::Value& value) {
     const std::string_view name = file_.Text(value.span);
     if (const Constant* constant = scope_.FindConstant(name)) return constant;
-    if (is_full()) return nullptr;
+    if (reporter_.is_full()) return nullptr;
     if (IsNotFiniteWord(name)) {
-      result_.diagnostics.push_back(NotANumber(name, value.span));
+      reporter_.Add(NotANumber(name, value.span));
     } else if (!file_.is_incomplete) {
       SuggestAmong(
           NamesOf(scope_.constants,
                   [](const Constant& constant) { return constant.name; }),
-          &Report("P2009", value.span,
-                  fmt::format("constant '{}' is not declared", name)));
+          &reporter_.Report(
+              Code::kUnknownConstant, value.span,
+              fmt::format("constant '{}' is not declared", name)));
     }
     return nullptr;
   }
@@ -218,10 +204,10 @@ class Resolver {
 
   void ReportUnknownState(Span state) {
     // The item that declares it may be the one that did not parse.
-    if (file_.is_incomplete || is_full()) return;
-    Diagnostic& diagnostic =
-        Report("P2005", state,
-               fmt::format("state '{}' is not declared", file_.Text(state)));
+    if (file_.is_incomplete || reporter_.is_full()) return;
+    Diagnostic& diagnostic = reporter_.Report(
+        Code::kUnknownState, state,
+        fmt::format("state '{}' is not declared", file_.Text(state)));
     const std::vector<State>& states = scope_.header.states;
     SuggestAmong(
         NamesOf(states,
@@ -233,9 +219,8 @@ class Resolver {
       return;
     }
     const auto known = scope_.FindState(diagnostic.fixes[0].replacement);
-    diagnostic.others.push_back(
-        {scope_.state_spans[static_cast<std::size_t>(*known)],
-         "declared here"});
+    diagnostic.WithOther(scope_.state_spans[static_cast<std::size_t>(*known)],
+                         "declared here");
   }
 
   std::optional<double> ResolveValue(StateId id, const ast::Value& value) {
@@ -267,18 +252,21 @@ class Resolver {
     const std::string_view text = file_.Text(value.span);
     if (const auto index = scope_.FindValue(id, text))
       return static_cast<double>(*index);
-    if (is_full()) return std::nullopt;
+    if (reporter_.is_full()) return std::nullopt;
     SuggestAmong(
         NamesOf(state.values,
                 [](const std::string& v) { return std::string_view(v); }),
-        &Report("P2006", value.span,
-                fmt::format("state '{}' has no value '{}'", state.name, text),
-                fmt::format("it is one of {}", fmt::join(state.values, ", "))));
+        &reporter_
+             .Report(
+                 Code::kValueType, value.span,
+                 fmt::format("state '{}' has no value '{}'", state.name, text))
+             .WithLabel(fmt::format("it is one of {}",
+                                    fmt::join(state.values, ", "))));
     return std::nullopt;
   }
 
   void ReportMismatch(const State& state, const ast::Value& value) {
-    if (is_full()) return;
+    if (reporter_.is_full()) return;
     const std::string_view text = file_.Text(value.span);
     std::string message;
     std::string label;
@@ -298,14 +286,17 @@ class Resolver {
       label = fmt::format("it is one of {}", fmt::join(state.values, ", "));
     }
     const auto id = scope_.FindState(state.name);
-    Report("P2006", value.span, std::move(message), std::move(label))
-        .others.push_back({scope_.state_spans[static_cast<std::size_t>(*id)],
-                           "declared here"});
+    reporter_.Report(Code::kValueType, value.span, std::move(message))
+        .WithLabel(std::move(label))
+        .WithOther(scope_.state_spans[static_cast<std::size_t>(*id)],
+                   "declared here");
   }
 
   const ast::File& file_;
   const Scope& scope_;
   Resolution result_;
+  // Asked for room first: what finds none costs no search for similar names.
+  Reporter reporter_;
 };
 
 }  // namespace

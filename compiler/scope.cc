@@ -24,6 +24,7 @@
 
 #include "compiler/limits.h"
 #include "compiler/own_alphabet.h"
+#include "grammar/reporter.h"
 #include "grammar/suggest.h"
 
 namespace plsc {
@@ -53,24 +54,17 @@ class Declarer {
 
   Scope Declare() {
     for (const ast::Item& item : file_.items) {
-      if (scope_.diagnostics.size() >= kMaxReported) break;
+      if (reporter_.is_full()) break;
       DeclareItem(item);
     }
     if (scope_.header.name.empty()) scope_.header.name = kUnnamed;
     FinishAlphabet();
     FinishAxiom();
+    scope_.diagnostics = reporter_.Take();
     return std::move(scope_);
   }
 
  private:
-  Diagnostic& Report(const char* code, Span span, std::string message) {
-    Diagnostic diagnostic;
-    diagnostic.code = code;
-    diagnostic.span = span;
-    diagnostic.message = std::move(message);
-    return scope_.diagnostics.emplace_back(std::move(diagnostic));
-  }
-
   // Whether this is the first item of `slot`; else says where the first is.
   bool IsFirst(const ast::Item& item, Span* slot) {
     if (slot->end == 0) {
@@ -78,10 +72,11 @@ class Declarer {
       return true;
     }
     const std::string_view word = file_.Text(item.keyword);
-    Diagnostic& diagnostic =
-        Report("P2013", item.span, fmt::format("'{}' is given twice", word));
-    diagnostic.label = "again here";
-    diagnostic.others.push_back({*slot, "first here"});
+    reporter_
+        .Report(Code::kRepeatedItem, item.span,
+                fmt::format("'{}' is given twice", word))
+        .WithLabel("again here")
+        .WithOther(*slot, "first here");
     return false;
   }
 
@@ -122,24 +117,28 @@ class Declarer {
     const std::string_view name = file_.Text(declared.name);
     const bool is_built_in = name == built_in->name();
     if (declared.is_own && is_built_in) {
-      Report("P2010", declared.name, "'plasticoding' is built in").help =
-          "write 'alphabet plasticoding 1', or choose another name";
+      reporter_
+          .Report(Code::kUnknownAlphabet, declared.name,
+                  "'plasticoding' is built in")
+          .WithHelp("write 'alphabet plasticoding 1', or choose another name");
     } else if (declared.is_own) {
       OwnAlphabet own = DeclareAlphabet(file_, declared);
-      std::move(own.diagnostics.begin(), own.diagnostics.end(),
-                std::back_inserter(scope_.diagnostics));
+      for (Diagnostic& diagnostic : own.diagnostics)
+        reporter_.Add(std::move(diagnostic));
       scope_.header.alphabet = std::move(own.alphabet);
     } else if (!is_built_in) {
-      Diagnostic& diagnostic = Report(
-          "P2010", declared.name, fmt::format("unknown alphabet '{}'", name));
-      diagnostic.label = "the built-in alphabet is 'plasticoding 1'";
-      diagnostic.fixes.push_back({declared.name, built_in->name()});
+      reporter_
+          .Report(Code::kUnknownAlphabet, declared.name,
+                  fmt::format("unknown alphabet '{}'", name))
+          .WithLabel("the built-in alphabet is 'plasticoding 1'")
+          .WithFix(declared.name, built_in->name());
     } else if (!declared.version.is_integer ||
                declared.version.number != built_in->version()) {
-      Report("P5003", declared.version.span,
-             fmt::format("this file needs alphabet plasticoding {}; this tool "
-                         "knows 1",
-                         file_.Text(declared.version.span)));
+      reporter_.Report(
+          Code::kUnknownAlphabetVersion, declared.version.span,
+          fmt::format("this file needs alphabet plasticoding {}; this tool "
+                      "knows 1",
+                      file_.Text(declared.version.span)));
     } else {
       scope_.header.alphabet = built_in;
     }
@@ -148,16 +147,18 @@ class Declarer {
   // A new name among `known`; else says where it was declared first.
   bool IsNewState(Span name) {
     if (scope_.header.states.size() == kMaxStates) {
-      Report("P3002", name,
-             fmt::format("a genotype has at most {} states", kMaxStates));
+      reporter_.Report(
+          Code::kLimit, name,
+          fmt::format("a genotype has at most {} states", kMaxStates));
       return false;
     }
     const auto known = scope_.FindState(file_.Text(name));
     if (!known) return true;
-    Report("P2017", name,
-           fmt::format("state '{}' is declared twice", file_.Text(name)))
-        .others.push_back({scope_.state_spans[static_cast<std::size_t>(*known)],
-                           "first declared here"});
+    reporter_
+        .Report(Code::kRepeatedName, name,
+                fmt::format("state '{}' is declared twice", file_.Text(name)))
+        .WithOther(scope_.state_spans[static_cast<std::size_t>(*known)],
+                   "first declared here");
     return false;
   }
 
@@ -174,11 +175,13 @@ class Declarer {
         state.low = declared.bounds.low.number;
         state.high = declared.bounds.high.number;
         if (!(state.low < state.high))
-          Report(
-              "P2016",
-              {declared.bounds.low.span.begin, declared.bounds.high.span.end},
-              fmt::format("the range of state '{}' is empty", state.name))
-              .label = "the lower bound must be less than the upper";
+          reporter_
+              .Report(
+                  Code::kWrongState,
+                  {declared.bounds.low.span.begin,
+                   declared.bounds.high.span.end},
+                  fmt::format("the range of state '{}' is empty", state.name))
+              .WithLabel("the lower bound must be less than the upper");
         break;
       case ast::SenseType::kEnum:
         state.type = StateType::kEnum;
@@ -198,37 +201,42 @@ class Declarer {
     std::vector<std::string> values;
     const auto spans = ast::Slice(file_.names, declared.values);
     if (spans.size() > kMaxSymbols) {
-      Report("P3002", spans[kMaxSymbols],
-             fmt::format("a state has at most {} values", kMaxSymbols));
+      reporter_.Report(
+          Code::kLimit, spans[kMaxSymbols],
+          fmt::format("a state has at most {} values", kMaxSymbols));
       // A state that is well formed, so that nothing else is said of it.
       return {"a", "b"};
     }
     for (const Span span : spans) {
       const std::string_view value = file_.Text(span);
       if (!ids->emplace(value, values.size()).second)
-        Report("P2016", span, fmt::format("value '{}' is listed twice", value));
+        reporter_.Report(Code::kWrongState, span,
+                         fmt::format("value '{}' is listed twice", value));
       else
         values.emplace_back(value);
     }
     if (spans.size() < 2)
-      Report("P2016", spans[0],
-             fmt::format("state '{}' has only one value",
-                         file_.Text(declared.name)))
-          .label = "a state that cannot change needs no sense";
+      reporter_
+          .Report(Code::kWrongState, spans[0],
+                  fmt::format("state '{}' has only one value",
+                              file_.Text(declared.name)))
+          .WithLabel("a state that cannot change needs no sense");
     return values;
   }
 
   void DeclareConstant(const ast::Let& declared) {
     const std::string_view name = file_.Text(declared.name);
     if (const Constant* known = scope_.FindConstant(name)) {
-      Report("P2017", declared.name,
-             fmt::format("constant '{}' is declared twice", name))
-          .others.push_back({known->span, "first declared here"});
+      reporter_
+          .Report(Code::kRepeatedName, declared.name,
+                  fmt::format("constant '{}' is declared twice", name))
+          .WithOther(known->span, "first declared here");
       return;
     }
     if (scope_.constants.size() == kMaxSymbols) {
-      Report("P3002", declared.name,
-             fmt::format("a file has at most {} constants", kMaxSymbols));
+      reporter_.Report(
+          Code::kLimit, declared.name,
+          fmt::format("a file has at most {} constants", kMaxSymbols));
       return;
     }
     scope_.constant_ids.emplace(name, scope_.constants.size());
@@ -242,8 +250,8 @@ class Declarer {
     if (setting.key == kMoveToNew) {
       const bool is_true = setting.value.kind == ast::Value::Kind::kTrue;
       if (!is_true && setting.value.kind != ast::Value::Kind::kFalse)
-        Report("P2014", setting.value.span,
-               "move_to_new must be True or False");
+        reporter_.Report(Code::kWrongSetting, setting.value.span,
+                         "move_to_new must be True or False");
       scope_.header.development.move_to_new = is_true;
       return;
     }
@@ -265,15 +273,17 @@ class Declarer {
   std::optional<int> SettingNumber(const ast::Value& value,
                                    const SettingInfo& info) {
     if (value.kind != ast::Value::Kind::kNumber || !value.is_integer) {
-      Report("P2014", value.span,
-             fmt::format("{} must be a whole number", info.name))
-          .label = fmt::format("from {} to {}", info.low, info.high);
+      reporter_
+          .Report(Code::kWrongSetting, value.span,
+                  fmt::format("{} must be a whole number", info.name))
+          .WithLabel(fmt::format("from {} to {}", info.low, info.high));
       return std::nullopt;
     }
     if (value.number < info.low || value.number > info.high) {
-      Report("P2014", value.span,
-             fmt::format("{} {} is outside {}..{}", info.name,
-                         file_.Text(value.span), info.low, info.high));
+      reporter_.Report(
+          Code::kWrongSetting, value.span,
+          fmt::format("{} {} is outside {}..{}", info.name,
+                      file_.Text(value.span), info.low, info.high));
       return std::nullopt;
     }
     return static_cast<int>(value.number);
@@ -282,10 +292,11 @@ class Declarer {
   void FinishAlphabet() {
     if (alphabet_.end != 0 || file_.is_incomplete) return;
     const std::uint32_t at = file_.version.end;
-    Diagnostic& diagnostic =
-        Report("P2012", {at, at}, "this file does not say its alphabet");
-    diagnostic.help = "add 'alphabet plasticoding 1'";
-    diagnostic.fixes.push_back({{at, at}, "\nalphabet plasticoding 1"});
+    reporter_
+        .Report(Code::kMissingItem, {at, at},
+                "this file does not say its alphabet")
+        .WithHelp("add 'alphabet plasticoding 1'")
+        .WithFix({at, at}, "\nalphabet plasticoding 1");
   }
 
   void FinishAxiom() {
@@ -294,39 +305,42 @@ class Declarer {
     if (axiom_.end == 0) {
       // SymbolId 0 is C, the paper's axiom.
       if (alphabet->is_built_in() || file_.is_incomplete) return;
-      Report("P2012", alphabet_, "a file with its own alphabet needs an axiom")
-          .help = "add 'axiom NAME', the symbol that development starts from";
+      reporter_
+          .Report(Code::kMissingItem, alphabet_,
+                  "a file with its own alphabet needs an axiom")
+          .WithHelp(
+              "add 'axiom NAME', the symbol that development starts from");
       return;
     }
     const std::string_view name = file_.Text(axiom_name_);
     const auto id = alphabet->Find(name);
     if (!id) {
       Diagnostic& diagnostic =
-          Report("P2001", axiom_name_,
-                 fmt::format("unknown symbol '{}' in alphabet '{}'", name,
-                             alphabet->name()));
+          reporter_.Report(Code::kUnknownSymbol, axiom_name_,
+                           fmt::format("unknown symbol '{}' in alphabet '{}'",
+                                       name, alphabet->name()));
       std::vector<std::string_view> known;
       for (const SymbolInfo& symbol : alphabet->symbols())
         known.push_back(symbol.name);
-      if (const auto near = Suggest(name, known)) {
-        diagnostic.label = fmt::format("did you mean '{}'?", *near);
-        diagnostic.fixes.push_back({axiom_name_, *near});
-      }
+      AddSuggestion(name, known, &diagnostic);
       return;
     }
     if (alphabet->is_built_in() && *id != plasticoding::kC)
-      Report("P2011", axiom_name_,
-             fmt::format("the axiom must be C, not '{}'", name))
-          .label = "development starts from the core";
+      reporter_
+          .Report(Code::kWrongAxiom, axiom_name_,
+                  fmt::format("the axiom must be C, not '{}'", name))
+          .WithLabel("development starts from the core");
     else if (!(*alphabet)[*id].parameters.empty())
-      Report("P2011", axiom_name_,
-             fmt::format("the axiom '{}' has parameters", name))
-          .label = "an axiom is a symbol without parameters";
+      reporter_
+          .Report(Code::kWrongAxiom, axiom_name_,
+                  fmt::format("the axiom '{}' has parameters", name))
+          .WithLabel("an axiom is a symbol without parameters");
     scope_.header.axiom = *id;
   }
 
   const ast::File& file_;
   Scope scope_;
+  Reporter reporter_;
   // The first item of each kind; empty while there is none.
   Span alphabet_;
   Span axiom_;

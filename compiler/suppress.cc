@@ -77,19 +77,14 @@ std::optional<Span> ItemOf(const ast::File& file, Span comment) {
 
 Suppressions::Suppressions(const ast::File& file) {
   for (const Span comment : file.comments) {
-    if (diagnostics_.size() >= kMaxReported) return;
+    if (!reporter_.Takes(Severity::kWarning)) return;
     Read(file, comment);
   }
 }
 
 void Suppressions::Warn(Span span, std::string message, std::string help) {
-  Diagnostic warning;
-  warning.severity = Severity::kWarning;
-  warning.code = "W1001";
-  warning.span = span;
-  warning.message = std::move(message);
-  warning.help = std::move(help);
-  diagnostics_.push_back(std::move(warning));
+  reporter_.Report(Code::kWrongAllow, span, std::move(message))
+      .WithHelp(std::move(help));
 }
 
 void Suppressions::Read(const ast::File& file, Span comment) {
@@ -128,27 +123,28 @@ void Suppressions::ReadCodes(const ast::File& file, std::span<const Span> words,
     return;
   }
   for (const Span word : words) {
-    const std::string code(file.Text(word));
-    if (MeaningOf(code).empty()) {
+    const std::string_view number = file.Text(word);
+    const std::optional<Code> code = FindCode(number);
+    if (!code) {
       std::vector<std::string_view> known;
       for (const CodeInfo& info : DiagnosticCodes())
-        if (info.code.starts_with('W')) known.push_back(info.code);
-      const auto nearest = Suggest(code, known);
-      Warn(word, fmt::format("there is no warning '{}'", code),
+        if (info.number.starts_with('W')) known.push_back(info.number);
+      const auto nearest = Suggest(number, known);
+      Warn(word, fmt::format("there is no warning '{}'", number),
            nearest ? fmt::format("did you mean '{}'?", *nearest)
                    : "'plsc explain' lists the codes");
       return;  // what follows is likely a remark, not codes
     }
-    if (!code.starts_with('W')) {
-      Warn(word, fmt::format("{} is an error, which cannot be allowed", code),
+    if (!number.starts_with('W')) {
+      Warn(word, fmt::format("{} is an error, which cannot be allowed", number),
            "");
       continue;
     }
-    allowed_.push_back({code, *where});
+    allowed_.push_back({*code, *where});
   }
 }
 
-bool Suppressions::Allows(const std::string& code, Span place) const {
+bool Suppressions::Allows(Code code, Span place) const {
   return std::any_of(
       allowed_.begin(), allowed_.end(), [&](const Allowed& allowed) {
         return allowed.code == code && allowed.where.begin <= place.begin &&

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "grammar/ast.h"
-#include "grammar/diagnostic.h"
+#include "grammar/reporter.h"
 #include "grammar/source.h"
 
 namespace plsc {
@@ -20,15 +20,17 @@ class Suppressions {
   explicit Suppressions(const ast::File& file);
 
   /// Whether a comment silences `code` at `place`.
-  bool Allows(const std::string& code, Span place) const;
+  bool Allows(Code code, Span place) const;
   /// Those that stay: errors, and what no comment silences.
   std::vector<Diagnostic> Keep(std::vector<Diagnostic> diagnostics) const;
   /// W1001: comments that ask for what does not exist.
-  const std::vector<Diagnostic>& diagnostics() const { return diagnostics_; }
+  const std::vector<Diagnostic>& diagnostics() const {
+    return reporter_.diagnostics();
+  }
 
  private:
   struct Allowed {
-    std::string code;
+    Code code;
     Span where;
   };
 
@@ -38,7 +40,7 @@ class Suppressions {
   void Warn(Span span, std::string message, std::string help);
 
   std::vector<Allowed> allowed_;
-  std::vector<Diagnostic> diagnostics_;
+  Reporter reporter_;
 };
 
 }  // namespace plsc

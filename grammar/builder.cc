@@ -31,11 +31,6 @@ bool IsWrittenZero(std::string_view number) {
 
 }  // namespace
 
-void Builder::Report(Diagnostic diagnostic) {
-  if (diagnostics.size() < kMaxReported)
-    diagnostics.push_back(std::move(diagnostic));
-}
-
 void Builder::BeginItem(Span item_keyword) {
   keyword = item_keyword;
   open = close = Span{};
@@ -80,15 +75,12 @@ void Builder::TakeNumber(Span span) {
   const bool is_small =
       (exponent != std::string_view::npos && text[exponent + 1] == '-') ||
       (exponent == std::string_view::npos && text.find('.') < 3);
-  Diagnostic diagnostic;
-  diagnostic.code = "P1112";
-  diagnostic.span = span;
-  diagnostic.message =
-      fmt::format("{} does not fit a 64-bit floating-point number",
-                  text.size() > 40 ? "this number" : text);
-  diagnostic.label = is_small ? "smallest magnitude is 5e-324"
-                              : "largest magnitude is 1.7976931348623157e308";
-  Report(std::move(diagnostic));
+  reporter
+      .Report(Code::kBeyondDouble, span,
+              fmt::format("{} does not fit a 64-bit floating-point number",
+                          text.size() > 40 ? "this number" : text))
+      .WithLabel(is_small ? "smallest magnitude is 5e-324"
+                          : "largest magnitude is 1.7976931348623157e308");
 }
 
 void Builder::CheckTermValue() {
@@ -98,19 +90,17 @@ void Builder::CheckTermValue() {
   if (!is_true && text != "false" && text != "FALSE") return;
   const char* const right = is_true ? "True" : "False";
   value.kind = is_true ? ast::Value::Kind::kTrue : ast::Value::Kind::kFalse;
-  Diagnostic diagnostic;
-  diagnostic.code = "P1104";
-  diagnostic.span = value.span;
-  diagnostic.message = fmt::format("'{}' is not a plsc value", text);
-  diagnostic.label = fmt::format("use '{}'", right);
-  diagnostic.fixes.push_back({value.span, right});
-  Report(std::move(diagnostic));
+  reporter
+      .Report(Code::kForeignNotation, value.span,
+              fmt::format("'{}' is not a plsc value", text))
+      .WithLabel(fmt::format("use '{}'", right))
+      .WithFix(value.span, right);
 }
 
 void Builder::Fail(SyntaxError error, std::uint32_t offset) {
   file.is_incomplete = true;
-  if (diagnostics.size() < kMaxReported)
-    Report(DescribeSyntaxError(
+  if (!reporter.is_full())
+    reporter.Add(DescribeSyntaxError(
         error, {file.text, offset, previous_end, keyword, open}));
   throw SyntaxFailure{};
 }

@@ -9,12 +9,12 @@
 #include <vector>
 
 #include "grammar/ast.h"
-#include "grammar/diagnostic.h"
+#include "grammar/reporter.h"
 #include "grammar/syntax_error.h"
 
 namespace plsc::grammar {
 
-/// Thrown to leave an item; what is wrong is in Builder::diagnostics.
+/// Thrown to leave an item; what is wrong is in Builder::reporter.
 struct SyntaxFailure {};
 
 /// Deepest nesting of an expected body. The parser calls itself once a level,
@@ -24,7 +24,7 @@ inline constexpr std::size_t kMaxBodyDepth = 100;
 
 struct Builder {
   ast::File file;
-  std::vector<Diagnostic> diagnostics;
+  Reporter reporter;
 
   const char* base = nullptr;      ///< of the text
   std::uint32_t previous_end = 0;  ///< end of the last token
@@ -49,7 +49,6 @@ struct Builder {
   ast::Entry entry;
   bool is_replaceable = false;
 
-  void Report(Diagnostic diagnostic);
   /// Forgets what the item before left behind.
   void BeginItem(Span item_keyword);
   /// Adds the item of `kind` that is `index` in the vector of its kind.

@@ -13,16 +13,6 @@ namespace plsc {
 
 namespace {
 
-Diagnostic Make(const char* code, Span span, std::string message,
-                std::string label) {
-  Diagnostic diagnostic;
-  diagnostic.code = code;
-  diagnostic.span = span;
-  diagnostic.message = std::move(message);
-  diagnostic.label = std::move(label);
-  return diagnostic;
-}
-
 // Characters from the start of the line, as users count columns.
 int ColumnOf(std::string_view text, std::uint32_t offset) {
   const std::string_view before = text.substr(0, offset);
@@ -46,22 +36,20 @@ void AddOtherForeignWords(const SyntaxContext& context, std::uint32_t from,
       others.push_back(fmt::format("'{}' -> '{}' (column {})", found.text,
                                    right,
                                    ColumnOf(context.text, found.span.begin)));
-      diagnostic->fixes.push_back({found.span, std::string(right)});
+      diagnostic->WithFix(found.span, std::string(right));
     }
     at = std::max(found.span.end, at + 1);
   }
   if (!others.empty())
-    diagnostic->notes.push_back(
-        fmt::format("also {}", fmt::join(others, ", ")));
+    diagnostic->WithNote(fmt::format("also {}", fmt::join(others, ", ")));
 }
 
 Diagnostic ForeignOperator(const SyntaxContext& context, Found found,
                            std::string_view right) {
-  Diagnostic diagnostic =
-      Make("P1104", found.span,
-           fmt::format("{} is not a plsc operator", found.quoted),
-           fmt::format("use '{}'", right));
-  diagnostic.fixes.push_back({found.span, std::string(right)});
+  Diagnostic diagnostic(Code::kForeignNotation, found.span,
+                        fmt::format("{} is not a plsc operator", found.quoted));
+  diagnostic.WithLabel(fmt::format("use '{}'", right))
+      .WithFix(found.span, std::string(right));
   AddOtherForeignWords(context, found.span.end, &diagnostic);
   return diagnostic;
 }
@@ -71,18 +59,16 @@ Diagnostic ForeignOperator(const SyntaxContext& context, Found found,
 std::optional<Diagnostic> DescribeForeign(SyntaxError error,
                                           const SyntaxContext& context) {
   const Found found = FoundAt(context.text, context.offset);
-  if (found.text == "(" || found.text == ")") {
-    Diagnostic diagnostic =
-        Make("P1114", found.span, "clauses of plsc 1 have no parentheses",
-             "remove this");
-    diagnostic.notes.emplace_back("'and' binds tighter than 'or'");
-    return diagnostic;
-  }
+  if (found.text == "(" || found.text == ")")
+    return Diagnostic(Code::kParentheses, found.span,
+                      "clauses of plsc 1 have no parentheses")
+        .WithLabel("remove this")
+        .WithNote("'and' binds tighter than 'or'");
   if (error == SyntaxError::kTerm &&
       (found.text == "not" || found.text.starts_with('!')))
-    return Make("P1104", found.span,
-                fmt::format("{} is not a plsc operator", found.quoted),
-                "write 'STATE = False'");
+    return Diagnostic(Code::kForeignNotation, found.span,
+                      fmt::format("{} is not a plsc operator", found.quoted))
+        .WithLabel("write 'STATE = False'");
   // The grammar may have taken the first half of '<>', '=<' or '=>'.
   Found whole = found;
   if (error == SyntaxError::kTermValue &&
@@ -98,32 +84,30 @@ std::optional<Diagnostic> DescribeForeign(SyntaxError error,
 Diagnostic DescribeMissingComparison(const SyntaxContext& context) {
   const Found found = FoundAt(context.text, context.offset);
   const Found state = FoundBefore(context.text, context.previous_end);
-  Diagnostic diagnostic =
-      Make("P1103", CaretOf(context),
-           fmt::format("expected a comparison after state {}", state.quoted),
-           "expected '=', '!=', '<', '<=', '>' or '>='");
+  Diagnostic diagnostic(
+      Code::kMissingComparison, CaretOf(context),
+      fmt::format("expected a comparison after state {}", state.quoted));
+  diagnostic.label = "expected '=', '!=', '<', '<=', '>' or '>='";
   const Span after = {context.previous_end, context.previous_end};
   if (found.text == "then" || found.text == "and" || found.text == "or" ||
       found.text == "{") {
-    diagnostic.help = fmt::format("write '{} = True'", state.text);
-    diagnostic.fixes.push_back({after, " = True"});
+    diagnostic.WithHelp(fmt::format("write '{} = True'", state.text))
+        .WithFix(after, " = True");
   } else if (found.text == "True" || found.text == "False") {
-    diagnostic.help = fmt::format("write '{} = {}'", state.text, found.text);
-    diagnostic.fixes.push_back({after, " ="});
+    diagnostic.WithHelp(fmt::format("write '{} = {}'", state.text, found.text))
+        .WithFix(after, " =");
   }
   return diagnostic;
 }
 
 Diagnostic DescribeMissingThen(const SyntaxContext& context) {
   const Found found = FoundAt(context.text, context.offset);
-  Diagnostic diagnostic = Make(
-      "P1106", CaretOf(context),
-      fmt::format("expected 'and', 'or' or 'then', found {}", found.quoted),
-      "");
-  if (found.text == "{") {
-    diagnostic.label = "insert 'then' before this";
-    diagnostic.fixes.push_back({{found.span.begin, found.span.begin}, "then "});
-  }
+  Diagnostic diagnostic(
+      Code::kMissingThen, CaretOf(context),
+      fmt::format("expected 'and', 'or' or 'then', found {}", found.quoted));
+  if (found.text == "{")
+    diagnostic.WithLabel("insert 'then' before this")
+        .WithFix({found.span.begin, found.span.begin}, "then ");
   return diagnostic;
 }
 

@@ -10,7 +10,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cassert>
 #include <utility>
 
 #include "grammar/shown_line.h"
@@ -135,6 +134,44 @@ std::string Rest(std::size_t total, std::size_t shown) {
 
 }  // namespace
 
+Diagnostic::Diagnostic(Code of, Span place, std::string headline)
+    : severity(NumberOf(of).starts_with('W') ? Severity::kWarning
+                                             : Severity::kError),
+      code(of),
+      span(place),
+      message(std::move(headline)) {}
+
+Diagnostic& Diagnostic::WithLabel(std::string text) {
+  label = std::move(text);
+  return *this;
+}
+
+Diagnostic& Diagnostic::WithOther(Span place, std::string text) {
+  others.push_back({place, std::move(text)});
+  return *this;
+}
+
+Diagnostic& Diagnostic::WithNote(std::string text) {
+  notes.push_back(std::move(text));
+  return *this;
+}
+
+Diagnostic& Diagnostic::WithHelp(std::string text) {
+  help = std::move(text);
+  return *this;
+}
+
+Diagnostic& Diagnostic::WithFix(Span place, std::string replacement) {
+  fixes.push_back({place, std::move(replacement)});
+  return *this;
+}
+
+bool HasErrors(const std::vector<Diagnostic>& diagnostics) {
+  return std::any_of(
+      diagnostics.begin(), diagnostics.end(),
+      [](const Diagnostic& d) { return d.severity == Severity::kError; });
+}
+
 void SortAndDropRepeated(std::vector<Diagnostic>* diagnostics) {
   std::stable_sort(diagnostics->begin(), diagnostics->end(),
                    [](const Diagnostic& a, const Diagnostic& b) {
@@ -158,7 +195,6 @@ void SortAndDropRepeated(std::vector<Diagnostic>* diagnostics) {
 
 std::string Render(const Diagnostic& diagnostic, const Source& source,
                    bool in_color) {
-  assert(!diagnostic.code.empty());
   const Painter paint{in_color};
   int last_line = source.PositionOf(diagnostic.span.begin).line;
   for (const Label& other : diagnostic.others)
@@ -167,8 +203,8 @@ std::string Render(const Diagnostic& diagnostic, const Source& source,
   const bool is_error = diagnostic.severity == Severity::kError;
   const std::string_view ink = is_error ? kRed : kYellow;
 
-  const std::string kind =
-      fmt::format("{}[{}]", is_error ? "error" : "warning", diagnostic.code);
+  const std::string kind = fmt::format("{}[{}]", is_error ? "error" : "warning",
+                                       NumberOf(diagnostic.code));
   std::string text =
       paint(ink, kind) + paint(kBold, ": " + Clip(diagnostic.message)) + "\n";
   text += RenderPlaceAndName(

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "grammar/codes.h"
 #include "grammar/source.h"
 
 namespace plsc {
@@ -24,10 +25,21 @@ struct Fix {
   std::string replacement;
 };
 
-/// Text is lower case, names what was expected before what was found.
+/// Text is lower case, names what was expected before what was found. What
+/// more there is to say is added where it is made:
+/// `Diagnostic(Code::kX, span, "...").WithHelp("...")`.
 struct Diagnostic {
-  Severity severity = Severity::kError;
-  std::string code;     ///< "P2001", one of grammar/codes
+  /// The severity is the code's.
+  Diagnostic(Code code, Span span, std::string message);
+
+  Diagnostic& WithLabel(std::string text);
+  Diagnostic& WithOther(Span place, std::string text);
+  Diagnostic& WithNote(std::string text);
+  Diagnostic& WithHelp(std::string text);
+  Diagnostic& WithFix(Span place, std::string replacement);
+
+  Severity severity;
+  Code code;
   Span span;            ///< the primary place, under the caret
   std::string message;  ///< the headline
   std::string label;    ///< beside the caret; may be empty
@@ -37,8 +49,10 @@ struct Diagnostic {
   std::vector<Fix> fixes;
 };
 
-/// A stage stops adding diagnostics here: nobody reads more, and a hostile file
-/// could hold millions. So that many or more may not be all.
+bool HasErrors(const std::vector<Diagnostic>& diagnostics);
+
+/// A stage stops reporting here (grammar/reporter.h): nobody reads more, and a
+/// hostile file could hold millions. So that many or more may not be all.
 inline constexpr std::size_t kMaxReported = 1000;
 
 /// By position, in the order of reporting where that is the same, and without

@@ -66,19 +66,16 @@ std::optional<Diagnostic> DescribeForeignFile(std::string_view text) {
   const std::size_t mark = TextBegin(text);
   const std::string_view start = text.substr(mark, kLookedAt);
   if (!IsPythonText(start) && !IsTokenText(start)) return std::nullopt;
-  Diagnostic diagnostic;
-  diagnostic.code = "P5012";
   const auto begin =
       static_cast<std::uint32_t>(mark + start.find_first_not_of(" \t\r\n"));
-  diagnostic.span = {begin, begin + 1};
-  diagnostic.message =
-      "this looks like a genotype of Revolve, the authors' program";
-  diagnostic.label = "a genotype of plsc starts with 'plsc 1'";
-  diagnostic.notes.emplace_back(
-      "Revolve's AJ1 is the paper's A2 and its AJ2 is A1; parameters are "
-      "ordered w, a, p, o");
-  diagnostic.help = "translate it: plsc import FILE -o robot.pls";
-  return diagnostic;
+  return Diagnostic(
+             Code::kAuthorsGenotype, {begin, begin + 1},
+             "this looks like a genotype of Revolve, the authors' program")
+      .WithLabel("a genotype of plsc starts with 'plsc 1'")
+      .WithNote(
+          "Revolve's AJ1 is the paper's A2 and its AJ2 is A1; parameters are "
+          "ordered w, a, p, o")
+      .WithHelp("translate it: plsc import FILE -o robot.pls");
 }
 
 }  // namespace plsc

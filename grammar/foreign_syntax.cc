@@ -65,22 +65,22 @@ void AddFixes(std::string_view text, std::size_t at, Diagnostic* diagnostic) {
   }
 }
 
+std::string WhatIs(const Lookalike& found) {
+  const std::string character = fmt::format("{} ({})", found.code, found.name);
+  if (found.intended.empty()) return character + " stands here";
+  if (found.intended == " " || found.intended == "\n")
+    return character + " is none of the blanks of plsc";
+  return fmt::format("{} is not '{}'", character, found.intended);
+}
+
 Diagnostic OfLookalike(const Lookalike& found, const SyntaxContext& context) {
-  Diagnostic diagnostic;
-  diagnostic.code = "P1119";
-  diagnostic.span = {context.offset,
-                     context.offset + static_cast<std::uint32_t>(found.bytes)};
+  Diagnostic diagnostic(
+      Code::kLookalike,
+      {context.offset,
+       context.offset + static_cast<std::uint32_t>(found.bytes)},
+      WhatIs(found));
   AddFixes(context.text, context.offset, &diagnostic);
   const std::string& intended = found.intended;
-  if (intended.empty())
-    diagnostic.message =
-        fmt::format("{} ({}) stands here", found.code, found.name);
-  else if (intended == " " || intended == "\n")
-    diagnostic.message = fmt::format("{} ({}) is none of the blanks of plsc",
-                                     found.code, found.name);
-  else
-    diagnostic.message =
-        fmt::format("{} ({}) is not '{}'", found.code, found.name, intended);
   diagnostic.label = intended.empty()   ? "remove it"
                      : intended == " "  ? "write a blank"
                      : intended == "\n" ? "begin a new line"
@@ -177,7 +177,7 @@ bool ExplainComment(const SyntaxContext& context, Diagnostic* diagnostic) {
   const std::string_view rest = context.text.substr(context.offset);
   const bool is_line = rest.starts_with("//");
   if (!is_line && !rest.starts_with("/*")) return false;
-  diagnostic->code = "P1104";
+  diagnostic->code = Code::kForeignNotation;
   diagnostic->span = {context.offset, context.offset + 2};
   diagnostic->message =
       fmt::format("'{}' does not begin a comment in plsc", rest.substr(0, 2));

@@ -89,4 +89,8 @@ std::string PrintPlainNumber(double value) {
   return fmt::format("{}", value);
 }
 
+std::string PrintRoundedNumber(double value, int digits) {
+  return fmt::format("{:.{}g}", value, digits);
+}
+
 }  // namespace plsc

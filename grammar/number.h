@@ -49,4 +49,7 @@ void AppendNumber(double value, std::string* text);
 /// "0.1", "100000", "-0". What people read and tables hold.
 std::string PrintPlainNumber(double value);
 
+/// Likewise, with at most that many significant digits: not exact.
+std::string PrintRoundedNumber(double value, int digits);
+
 }  // namespace plsc

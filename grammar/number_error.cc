@@ -44,19 +44,13 @@ std::string_view TextOf(std::string_view text, Span span) {
 }
 
 Diagnostic Malformed(Span span, std::string message, std::string label) {
-  Diagnostic diagnostic;
-  diagnostic.code = "P1110";
-  diagnostic.span = span;
-  diagnostic.message = std::move(message);
-  diagnostic.label = std::move(label);
-  return diagnostic;
+  return Diagnostic(Code::kMalformedNumber, span, std::move(message))
+      .WithLabel(std::move(label));
 }
 
 Diagnostic Replace(Span span, std::string message, const std::string& right) {
-  Diagnostic diagnostic =
-      Malformed(span, std::move(message), fmt::format("write '{}'", right));
-  diagnostic.fixes.push_back({span, right});
-  return diagnostic;
+  return Malformed(span, std::move(message), fmt::format("write '{}'", right))
+      .WithFix(span, right);
 }
 
 bool IsHexadecimal(std::string_view number) {
@@ -75,13 +69,10 @@ bool IsNotFiniteWord(std::string_view word) {
 }
 
 Diagnostic NotANumber(std::string_view text, Span span) {
-  Diagnostic diagnostic;
-  diagnostic.code = "P1111";
-  diagnostic.span = span;
-  diagnostic.message =
-      fmt::format("'{}' is not a number in plsc", text.substr(0, 40));
-  diagnostic.label = "numbers are finite and decimal";
-  return diagnostic;
+  return Diagnostic(
+             Code::kForeignNumber, span,
+             fmt::format("'{}' is not a number in plsc", text.substr(0, 40)))
+      .WithLabel("numbers are finite and decimal");
 }
 
 Diagnostic DescribeMissingDigits(const SyntaxContext& context) {
@@ -92,8 +83,8 @@ Diagnostic DescribeMissingDigits(const SyntaxContext& context) {
     const std::string whole(number.substr(0, number.find('.')));
     Diagnostic diagnostic = Malformed(span, "expected digits after '.'", "");
     if (number.ends_with('.')) {
-      diagnostic.label = fmt::format("write '{}.0' or '{}'", whole, whole);
-      diagnostic.fixes.push_back({span, whole + ".0"});
+      diagnostic.WithLabel(fmt::format("write '{}.0' or '{}'", whole, whole))
+          .WithFix(span, whole + ".0");
     }
     return diagnostic;
   }
@@ -114,10 +105,9 @@ Diagnostic DescribeNumberEnd(const SyntaxContext& context) {
       std::all_of(digits.begin(), digits.end(),
                   [](char c) { return IsDigit(c) || c == '.' || c == '-'; });
   if (only_digits && digits.size() < number.size()) {
-    Diagnostic diagnostic = NotANumber(number, span);
-    diagnostic.label = fmt::format("write '{}'", digits);
-    diagnostic.fixes.push_back({span, digits});
-    return diagnostic;
+    return NotANumber(number, span)
+        .WithLabel(fmt::format("write '{}'", digits))
+        .WithFix(span, digits);
   }
   if (rest.starts_with('.'))
     return Malformed(span, fmt::format("'{}' has more than one '.'", number),

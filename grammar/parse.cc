@@ -32,13 +32,11 @@ struct Control : grammar::FastMatch<Rule> {
 
 Diagnostic WrongVersion(const ast::File& file) {
   const Span number = file.version_number.span;
-  Diagnostic diagnostic;
-  diagnostic.code = "P5002";
-  diagnostic.span = number;
-  diagnostic.message = fmt::format(
-      "this file needs plsc language {}; this tool reads 1", file.Text(number));
-  diagnostic.help = "use a newer plsc, or a file of language 1";
-  return diagnostic;
+  return Diagnostic(
+             Code::kNewerVersion, number,
+             fmt::format("this file needs plsc language {}; this tool reads 1",
+                         file.Text(number)))
+      .WithHelp("use a newer plsc, or a file of language 1");
 }
 
 // One allocation a pool for texts as Print writes them, of which a symbol has
@@ -73,9 +71,10 @@ ParseResult Parse(const Source& source) {
   if (b.file.version.end > 0 &&
       b.file.version_number.number != kLanguageVersion) {
     b.file.is_incomplete = true;
-    b.diagnostics = {WrongVersion(b.file)};
+    Diagnostic wrong = WrongVersion(b.file);
+    return {std::move(b.file), {std::move(wrong)}};
   }
-  return {std::move(b.file), std::move(b.diagnostics)};
+  return {std::move(b.file), b.reporter.Take()};
 }
 
 }  // namespace plsc

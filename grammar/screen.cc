@@ -19,13 +19,9 @@ namespace plsc {
 
 namespace {
 
-Diagnostic At(const char* code, std::size_t offset, std::string message) {
-  Diagnostic diagnostic;
-  diagnostic.code = code;
+Diagnostic At(Code code, std::size_t offset, std::string message) {
   const auto begin = static_cast<std::uint32_t>(offset);
-  diagnostic.span = {begin, begin};
-  diagnostic.message = std::move(message);
-  return diagnostic;
+  return {code, {begin, begin}, std::move(message)};
 }
 
 bool HasHighBit(const char* bytes) {
@@ -75,16 +71,15 @@ std::optional<std::size_t> FirstBadByte(std::string_view text) {
 
 std::optional<Diagnostic> ScreenEncoding(std::string_view text) {
   if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) {
-    Diagnostic diagnostic = At("P5011", 0, "this file is UTF-16, not UTF-8");
-    diagnostic.help = "save it as UTF-8";
-    return diagnostic;
+    return At(Code::kNotUtf8, 0, "this file is UTF-16, not UTF-8")
+        .WithHelp("save it as UTF-8");
   }
   const std::size_t nul = text.find('\0');
   if (nul != std::string_view::npos)
-    return At("P5016", nul,
+    return At(Code::kNotText, nul,
               fmt::format("this is not a text: byte 0x00 at offset {}", nul));
   if (const auto bad = FirstBadByte(text))
-    return At("P5011", *bad,
+    return At(Code::kNotUtf8, *bad,
               fmt::format("not UTF-8 text: byte 0x{:02X} at offset {}",
                           static_cast<unsigned char>(text[*bad]), *bad));
   return std::nullopt;
@@ -99,10 +94,10 @@ std::optional<Diagnostic> ScreenMerge(std::string_view text) {
     while (at != std::string_view::npos) {
       if (at == 0 || text[at - 1] == '\n') {
         Diagnostic diagnostic =
-            At("P5010", at, "unresolved merge conflict marker");
-        diagnostic.span.end += 7;
-        diagnostic.label = "resolve the conflict and remove the markers";
-        return diagnostic;
+            At(Code::kMergeConflict, at, "unresolved merge conflict marker");
+        diagnostic.span.end += static_cast<std::uint32_t>(marker.size());
+        return diagnostic.WithLabel(
+            "resolve the conflict and remove the markers");
       }
       at = text.find(marker, at + 1);
     }
@@ -115,15 +110,14 @@ std::optional<Diagnostic> ScreenMerge(std::string_view text) {
 std::optional<Diagnostic> Screen(const Source& source) {
   std::string_view text = source.text();
   if (text.size() > kMaxSourceBytes)
-    return At("P5015", 0,
+    return At(Code::kTooLargeFile, 0,
               fmt::format("file is {} MiB; the limit is {} MiB",
                           (text.size() + (1U << 20) - 1) >> 20,
                           kMaxSourceBytes >> 20));
   text.remove_prefix(TextBegin(text));
   if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) {
-    Diagnostic diagnostic = At("P5013", 0, "file is empty");
-    diagnostic.help = "a genotype file starts with 'plsc 1'";
-    return diagnostic;
+    return At(Code::kEmptyFile, 0, "file is empty")
+        .WithHelp("a genotype file starts with 'plsc 1'");
   }
   if (auto encoding = ScreenEncoding(source.text())) return encoding;
   if (auto merge = ScreenMerge(source.text())) return merge;

@@ -11,6 +11,8 @@
 
 #include "grammar/suggest.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstdlib>
 
@@ -72,6 +74,16 @@ std::optional<std::string> Suggest(std::string_view word,
     best = std::string(candidate);
   }
   return best;
+}
+
+bool AddSuggestion(std::string_view word,
+                   std::span<const std::string_view> known,
+                   Diagnostic* diagnostic) {
+  const auto near = Suggest(word, known);
+  if (!near) return false;
+  diagnostic->WithLabel(fmt::format("did you mean '{}'?", *near))
+      .WithFix(diagnostic->span, *near);
+  return true;
 }
 
 }  // namespace plsc

@@ -6,7 +6,8 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <vector>
+
+#include "grammar/diagnostic.h"
 
 namespace plsc {
 
@@ -18,5 +19,11 @@ int EditDistance(std::string_view a, std::string_view b);
 /// word's length away, or the same but for case; the first among equals.
 std::optional<std::string> Suggest(std::string_view word,
                                    std::span<const std::string_view> known);
+
+/// Says so beside the caret, with the fix, when there is one near to what
+/// stands there.
+bool AddSuggestion(std::string_view word,
+                   std::span<const std::string_view> known,
+                   Diagnostic* diagnostic);
 
 }  // namespace plsc

@@ -31,34 +31,23 @@ std::string_view ItemWord(const SyntaxContext& context) {
 }
 
 // "expected X, found Y": what most failures come down to.
-Diagnostic Expected(const SyntaxContext& context, const char* code,
+Diagnostic Expected(const SyntaxContext& context, Code code,
                     std::string_view what, std::string label = "") {
-  Diagnostic diagnostic;
-  diagnostic.code = code;
-  diagnostic.span = CaretOf(context);
   const Found found = FoundAt(context.text, context.offset);
-  diagnostic.message = fmt::format("expected {}, found {}", what, found.quoted);
-  diagnostic.label = std::move(label);
-  return diagnostic;
+  return Diagnostic(code, CaretOf(context),
+                    fmt::format("expected {}, found {}", what, found.quoted))
+      .WithLabel(std::move(label));
 }
 
 Diagnostic VersionWord(const SyntaxContext& context) {
-  Diagnostic diagnostic;
-  diagnostic.code = "P5001";
-  diagnostic.message = "a genotype file starts with the language version";
   const Found found = FoundAt(context.text, context.offset);
-  diagnostic.span = found.span;
+  Diagnostic diagnostic(Code::kMissingVersion, found.span,
+                        "a genotype file starts with the language version");
   static constexpr std::string_view kWord = "plsc";
-  if (Suggest(found.text, {&kWord, 1})) {
-    diagnostic.label = "did you mean 'plsc'?";
-    diagnostic.fixes.push_back({found.span, "plsc"});
-    return diagnostic;
-  }
-  diagnostic.label = "expected 'plsc 1' before this";
-  diagnostic.help = "add 'plsc 1' as the first line";
-  diagnostic.fixes.push_back(
-      {{found.span.begin, found.span.begin}, "plsc 1\n"});
-  return diagnostic;
+  if (AddSuggestion(found.text, {&kWord, 1}, &diagnostic)) return diagnostic;
+  return diagnostic.WithLabel("expected 'plsc 1' before this")
+      .WithHelp("add 'plsc 1' as the first line")
+      .WithFix({found.span.begin, found.span.begin}, "plsc 1\n");
 }
 
 // "1.5", "v1", "-1": something that its author took for a version.
@@ -71,8 +60,9 @@ bool IsVersionLike(std::string_view word) {
 }
 
 Diagnostic VersionNumber(const SyntaxContext& context) {
-  Diagnostic diagnostic = Expected(
-      context, "P5001", "the language version after 'plsc'", "write 'plsc 1'");
+  Diagnostic diagnostic =
+      Expected(context, Code::kMissingVersion,
+               "the language version after 'plsc'", "write 'plsc 1'");
   const std::size_t begin =
       context.text.find_first_not_of(" \t", context.previous_end);
   if (begin == std::string_view::npos) return diagnostic;
@@ -92,35 +82,25 @@ Diagnostic VersionNumber(const SyntaxContext& context) {
 
 Diagnostic UnknownItem(const SyntaxContext& context) {
   const Found found = FoundAt(context.text, context.offset);
-  Diagnostic diagnostic;
-  diagnostic.code = "P1101";
-  diagnostic.span = found.span;
-  if (found.text == "plsc") {
-    diagnostic.message = "'plsc' may stand only once, at the top";
-    diagnostic.label = "remove this";
-    return diagnostic;
-  }
-  if (found.text == "include") {
-    diagnostic.message = "'include' is reserved and has no meaning in plsc 1";
-    return diagnostic;
-  }
-  if (!IsWordCharacter(found.text.empty() ? ' ' : found.text[0])) {
-    diagnostic.message =
-        fmt::format("expected an item, found {}", found.quoted);
-    if (found.text == "}") diagnostic.label = "nothing is open here";
-    return diagnostic;
-  }
-  diagnostic.message = fmt::format("unknown item {}", found.quoted);
+  const auto report = [&](std::string message) {
+    return Diagnostic(Code::kUnknownItem, found.span, std::move(message));
+  };
+  if (found.text == "plsc")
+    return report("'plsc' may stand only once, at the top")
+        .WithLabel("remove this");
+  if (found.text == "include")
+    return report("'include' is reserved and has no meaning in plsc 1");
+  if (!IsWordCharacter(found.text.empty() ? ' ' : found.text[0]))
+    return report(fmt::format("expected an item, found {}", found.quoted))
+        .WithLabel(found.text == "}" ? "nothing is open here" : "");
+  Diagnostic diagnostic = report(fmt::format("unknown item {}", found.quoted));
   const std::size_t next =
       context.text.find_first_not_of(" \t", found.span.end);
   if (next != std::string_view::npos &&
       context.text.substr(next).starts_with("->")) {
-    diagnostic.label = fmt::format("write 'rule {} -> ...'", found.text);
-    diagnostic.fixes.push_back({{found.span.begin, found.span.begin}, "rule "});
-  } else if (const auto near = Suggest(found.text, ItemKeywords())) {
-    diagnostic.label = fmt::format("did you mean '{}'?", *near);
-    diagnostic.fixes.push_back({found.span, *near});
-  } else {
+    diagnostic.WithLabel(fmt::format("write 'rule {} -> ...'", found.text))
+        .WithFix({found.span.begin, found.span.begin}, "rule ");
+  } else if (!AddSuggestion(found.text, ItemKeywords(), &diagnostic)) {
     diagnostic.help =
         fmt::format("items start with {}", fmt::join(ItemKeywords(), ", "));
   }
@@ -131,7 +111,7 @@ Diagnostic MissingName(const SyntaxContext& context) {
   const Found found = FoundAt(context.text, context.offset);
   const Found before = FoundBefore(context.text, context.previous_end);
   const std::string what = fmt::format("a name after {}", before.quoted);
-  Diagnostic diagnostic = Expected(context, "P1102", what);
+  Diagnostic diagnostic = Expected(context, Code::kMissingName, what);
   if (IsKeyword(found.text)) diagnostic.label = "this word is reserved";
   return diagnostic;
 }
@@ -139,13 +119,14 @@ Diagnostic MissingName(const SyntaxContext& context) {
 Diagnostic MissingMark(const SyntaxContext& context, std::string_view mark) {
   const Found found = FoundAt(context.text, context.offset);
   const Found before = FoundBefore(context.text, context.previous_end);
-  Diagnostic diagnostic = Expected(
-      context, "P1115", fmt::format("'{}' after {}", mark, before.quoted));
+  Diagnostic diagnostic =
+      Expected(context, Code::kMissingMark,
+               fmt::format("'{}' after {}", mark, before.quoted));
   const bool is_mark =
       found.text.find_first_not_of("=<>:-~") == std::string_view::npos;
   if (is_mark && !found.is_end) {
-    diagnostic.label = fmt::format("write '{}'", mark);
-    diagnostic.fixes.push_back({found.span, std::string(mark)});
+    diagnostic.WithLabel(fmt::format("write '{}'", mark))
+        .WithFix(found.span, std::string(mark));
   }
   return diagnostic;
 }
@@ -153,29 +134,23 @@ Diagnostic MissingMark(const SyntaxContext& context, std::string_view mark) {
 // `thing` was opened at context.open and runs into the next item or the end.
 Diagnostic Unclosed(const SyntaxContext& context, std::string_view thing) {
   const Found found = FoundAt(context.text, context.offset);
-  Diagnostic diagnostic;
-  diagnostic.code = "P1107";
-  diagnostic.span = context.open;
-  diagnostic.message = fmt::format("this {} is never closed", thing);
-  diagnostic.label = "opened here";
-  diagnostic.others.push_back(
-      {found.span,
-       found.is_end
-           ? std::string("the file ends here; insert '}' before")
-           : std::string("the next item starts here; insert '}' before")});
-  diagnostic.fixes.push_back(
-      {{context.previous_end, context.previous_end}, "\n}"});
-  return diagnostic;
+  return Diagnostic(Code::kUnclosedBrace, context.open,
+                    fmt::format("this {} is never closed", thing))
+      .WithLabel("opened here")
+      .WithOther(found.span,
+                 found.is_end ? "the file ends here; insert '}' before"
+                              : "the next item starts here; insert '}' before")
+      .WithFix({context.previous_end, context.previous_end}, "\n}");
 }
 
 Diagnostic InBraces(const SyntaxContext& context, std::string_view thing,
                     std::string_view what) {
   const Found found = FoundAt(context.text, context.offset);
   if (IsItemOrEnd(found)) return Unclosed(context, thing);
-  Diagnostic diagnostic = Expected(context, "P1116", what);
+  Diagnostic diagnostic = Expected(context, Code::kStrayInBraces, what);
   if (thing == "production" && (found.text == "," || found.text == ";")) {
-    diagnostic.label = "symbols are separated by blanks";
-    diagnostic.fixes.push_back({found.span, ""});
+    diagnostic.WithLabel("symbols are separated by blanks")
+        .WithFix(found.span, "");
   } else if (IsKeyword(found.text)) {
     diagnostic.label = "this word is reserved";
   }
@@ -185,30 +160,24 @@ Diagnostic InBraces(const SyntaxContext& context, std::string_view thing,
 Diagnostic FirstSymbol(const SyntaxContext& context) {
   const Found found = FoundAt(context.text, context.offset);
   if (found.text != "}") return InBraces(context, "production", "a symbol");
-  Diagnostic diagnostic;
-  diagnostic.code = "P1113";
-  diagnostic.span = {context.open.begin, found.span.end};
-  diagnostic.message = "a production has at least one symbol";
-  diagnostic.label = "nothing to rewrite into";
-  diagnostic.notes.emplace_back(
-      "a symbol for which no rule is active stays as it is");
-  return diagnostic;
+  return Diagnostic(Code::kEmptyProduction,
+                    {context.open.begin, found.span.end},
+                    "a production has at least one symbol")
+      .WithLabel("nothing to rewrite into")
+      .WithNote("a symbol for which no rule is active stays as it is");
 }
 
 Diagnostic BodyDepth(const SyntaxContext& context) {
-  Diagnostic diagnostic;
-  diagnostic.code = "P3002";
-  diagnostic.span = CaretOf(context);
-  diagnostic.message = "an expected body is nested too deeply";
-  diagnostic.label = "no robot of a scenario has limbs that long";
-  return diagnostic;
+  return Diagnostic(Code::kLimit, CaretOf(context),
+                    "an expected body is nested too deeply")
+      .WithLabel("no robot of a scenario has limbs that long");
 }
 
 Diagnostic OfBody(SyntaxError error, const SyntaxContext& context) {
   switch (error) {
     case SyntaxError::kModule: {
       const Found before = FoundBefore(context.text, context.previous_end);
-      return Expected(context, "P1116",
+      return Expected(context, Code::kStrayInBraces,
                       fmt::format("a module after {}", before.quoted),
                       before.text == "body" ? "a body starts with the core, C"
                                             : "write 'FACE MODULE'");
@@ -225,14 +194,14 @@ Diagnostic OpenBrace(const SyntaxContext& context) {
   const bool is_test = ItemWord(context) == "test";
   if (before.text == "->")
     return Expected(
-        context, "P1115",
+        context, Code::kMissingMark,
         is_test ? "'{' or 'body' after '->'" : "'if' or '{' after '->'",
         is_test ? "the expected string stands in braces"
                 : "a production stands in braces");
   return MissingMark(context, "{");
 }
 
-Diagnostic MissingNumber(const SyntaxContext& context, const char* code,
+Diagnostic MissingNumber(const SyntaxContext& context, Code code,
                          std::string_view what) {
   if (auto number = DescribeNumberLike(context)) return *std::move(number);
   const Found before = FoundBefore(context.text, context.previous_end);
@@ -241,7 +210,8 @@ Diagnostic MissingNumber(const SyntaxContext& context, const char* code,
 }
 
 Diagnostic Argument(const SyntaxContext& context) {
-  Diagnostic diagnostic = MissingNumber(context, "P1108", "a number");
+  Diagnostic diagnostic =
+      MissingNumber(context, Code::kMissingValue, "a number");
   if (context.text.substr(0, context.previous_end).ends_with('(') &&
       context.text.substr(context.offset).starts_with(')'))
     diagnostic.help =
@@ -251,10 +221,11 @@ Diagnostic Argument(const SyntaxContext& context) {
 
 Diagnostic SettingValue(const SyntaxContext& context) {
   const Found found = FoundAt(context.text, context.offset);
-  Diagnostic diagnostic = MissingNumber(context, "P1108", "a value");
+  Diagnostic diagnostic =
+      MissingNumber(context, Code::kMissingValue, "a value");
   if (found.text == "=" || found.text == ":") {
-    diagnostic.label = fmt::format("write '{} VALUE'", ItemWord(context));
-    diagnostic.fixes.push_back({found.span, ""});
+    diagnostic.WithLabel(fmt::format("write '{} VALUE'", ItemWord(context)))
+        .WithFix(found.span, "");
   }
   return diagnostic;
 }
@@ -265,7 +236,7 @@ Diagnostic OfClause(SyntaxError error, const SyntaxContext& context) {
   const Found before = FoundBefore(context.text, context.previous_end);
   switch (error) {
     case SyntaxError::kTerm:
-      return Expected(context, "P1105",
+      return Expected(context, Code::kMissingTerm,
                       fmt::format("a term after {}", before.quoted),
                       "expected 'STATE = VALUE' here");
     case SyntaxError::kComparison:
@@ -273,19 +244,19 @@ Diagnostic OfClause(SyntaxError error, const SyntaxContext& context) {
     case SyntaxError::kThen:
       return DescribeMissingThen(context);
     default:
-      return MissingNumber(context, "P1108", "a value");
+      return MissingNumber(context, Code::kMissingValue, "a value");
   }
 }
 
 Diagnostic OfType(SyntaxError error, const SyntaxContext& context) {
   switch (error) {
     case SyntaxError::kStateType:
-      return Expected(context, "P1117", "a type",
+      return Expected(context, Code::kMissingType, "a type",
                       "write 'bool', 'real in LOW..HIGH' or '{ NAME, NAME }'");
     case SyntaxError::kParameterType:
-      return Expected(context, "P1117", "'real' or 'int'");
+      return Expected(context, Code::kMissingType, "'real' or 'int'");
     case SyntaxError::kIn:
-      return Expected(context, "P1115", "'in' after 'real'",
+      return Expected(context, Code::kMissingMark, "'in' after 'real'",
                       "a real state has a range, as in 'real in -40..60'");
     case SyntaxError::kDots: {
       Diagnostic diagnostic = MissingMark(context, "..");
@@ -295,7 +266,7 @@ Diagnostic OfType(SyntaxError error, const SyntaxContext& context) {
     case SyntaxError::kEnumEnd:
       return InBraces(context, "list of values", "',' or '}'");
     default:
-      return Expected(context, "P1118", "a version or '{'",
+      return Expected(context, Code::kIncompleteAlphabet, "a version or '{'",
                       "write 'alphabet plasticoding 1'");
   }
 }
@@ -318,7 +289,7 @@ Diagnostic OfMark(SyntaxError error, const SyntaxContext& context) {
     case SyntaxError::kOpenBrace:
       return OpenBrace(context);
     default:
-      return Expected(context, "P1109", "',' or ')'");
+      return Expected(context, Code::kBrokenList, "',' or ')'");
   }
 }
 
@@ -333,17 +304,15 @@ Diagnostic OfNumber(SyntaxError error, const SyntaxContext& context) {
     case SyntaxError::kSettingValue:
       return SettingValue(context);
     case SyntaxError::kNumber:
-      return MissingNumber(context, "P1108", "a number");
+      return MissingNumber(context, Code::kMissingValue, "a number");
     default:
-      return MissingNumber(context, "P1108", "a value");
+      return MissingNumber(context, Code::kMissingValue, "a value");
   }
 }
 
 Diagnostic Describe(SyntaxError error, const SyntaxContext& context) {
   using enum SyntaxError;
   switch (error) {
-    case kInternal:
-      return Expected(context, "P1199", "something else (a defect of plsc)");
     case kVersionWord:
       return VersionWord(context);
     case kVersionNumber:
@@ -392,8 +361,11 @@ Diagnostic Describe(SyntaxError error, const SyntaxContext& context) {
     case kBodyEnd:
     case kBodyDepth:
       return OfBody(error, context);
+    case kInternal:
+      break;
   }
-  return {};
+  return Expected(context, Code::kParserDefect,
+                  "something else (a defect of plsc)");
 }
 
 }  // namespace

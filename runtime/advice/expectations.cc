@@ -91,26 +91,20 @@ class InlineTestRun {
   std::optional<Diagnostic> Run() {
     const ActiveRules active = Regulate(genotype_, test_.environment);
     const auto string = Derive(genotype_, active);
-    if (!string) {
-      Diagnostic diagnostic = Fail(spans_.name);
-      diagnostic.code = "P4001";
-      diagnostic.label = fmt::format(
-          "development would produce more than {} symbols", kMaxStringLength);
-      return diagnostic;
-    }
+    if (!string)
+      return Fail(spans_.name, Code::kTooLongString)
+          .WithLabel(
+              fmt::format("development would produce more than {} symbols",
+                          kMaxStringLength));
     if (test_.body.empty()) return CompareString(*string);
     return CompareBody(Develop(genotype_, *string).body);
   }
 
  private:
-  Diagnostic Fail(Span where) const {
-    Diagnostic diagnostic;
-    diagnostic.code = "P4002";
-    diagnostic.span = where;
-    diagnostic.message = fmt::format("test '{}' fails", test_.name);
-    if (!test_.place.empty())
-      diagnostic.message += fmt::format(" in {}", test_.place);
-    return diagnostic;
+  Diagnostic Fail(Span where, Code code = Code::kFailedTest) const {
+    return {code, where,
+            fmt::format("test '{}' fails{}{}", test_.name,
+                        test_.place.empty() ? "" : " in ", test_.place)};
   }
 
   bool IsExpected(const ExpectedSymbol& expected,
@@ -187,24 +181,19 @@ class InlineTestRun {
     const bool is_same_place = at < expected.size() && at < found.size() &&
                                expected[at].module.depth == found[at].depth &&
                                expected[at].module.face == found[at].face;
-    if (is_same_place) {
-      Diagnostic diagnostic = Fail(expected[at].span);
-      diagnostic.label = fmt::format("this module is {}", name(found[at]));
-      return diagnostic;
-    }
+    if (is_same_place)
+      return Fail(expected[at].span)
+          .WithLabel(fmt::format("this module is {}", name(found[at])));
     if (at < found.size() && IsExtra(expected, found, at)) {
       // The parent has been expected: it stands before.
       std::size_t parent = at - 1;
       while (expected[parent].module.depth >= found[at].depth) --parent;
-      Diagnostic diagnostic = Fail(expected[parent].span);
-      diagnostic.label =
-          fmt::format("has {} at its {}, which is not expected",
-                      name(found[at]), NameIn(kFaceNames, found[at].face));
-      return diagnostic;
+      return Fail(expected[parent].span)
+          .WithLabel(fmt::format("has {} at its {}, which is not expected",
+                                 name(found[at]),
+                                 NameIn(kFaceNames, found[at].face)));
     }
-    Diagnostic diagnostic = Fail(expected[at].span);
-    diagnostic.label = "there is no such module";
-    return diagnostic;
+    return Fail(expected[at].span).WithLabel("there is no such module");
   }
 
   // Whether the walk of what was found meets a module first there.

@@ -36,15 +36,15 @@ std::string LengthText(std::uint64_t length) {
   return fmt::format("{}", length);
 }
 
-Diagnostic Growth(const MappedProgram& compiled, const ActiveRules& active,
-                  std::uint64_t length, const std::string& where) {
+Diagnostic Growth(Code code, const MappedProgram& compiled,
+                  const ActiveRules& active, std::uint64_t length,
+                  const std::string& where) {
   const Genotype& genotype = compiled.program.genotype;
-  Diagnostic diagnostic;
-  diagnostic.code = "P4001";
-  diagnostic.span = GrowthSpan(compiled);
-  diagnostic.message = fmt::format(
-      "{}, development would produce {} symbols, and the limit is {}", where,
-      LengthText(length), kMaxStringLength);
+  Diagnostic diagnostic(
+      code, GrowthSpan(compiled),
+      fmt::format(
+          "{}, development would produce {} symbols, and the limit is {}",
+          where, LengthText(length), kMaxStringLength));
   if (const auto multiplier = GreatestMultiplier(active))
     diagnostic.label = fmt::format(
         "each '{}' becomes {} symbols, {} of them '{}' again",
@@ -79,25 +79,18 @@ std::optional<Diagnostic> GrowthWarning(const MappedProgram& compiled,
       *space.size() == 1
           ? "in every environment"
           : "when " + space.Describe(worst->environment, genotype.states);
-  Diagnostic warning =
-      Growth(compiled, Regulate(genotype, {space.At(worst->environment)}),
-             longest, where);
-  warning.severity = Severity::kWarning;
-  warning.code = "W4001";
-  warning.notes.push_back(fmt::format("too long in {} of {} environments",
-                                      environments, *space.size()));
-  return warning;
+  return Growth(Code::kMayGrowTooLong, compiled,
+                Regulate(genotype, {space.At(worst->environment)}), longest,
+                where)
+      .WithNote(fmt::format("too long in {} of {} environments", environments,
+                            *space.size()));
 }
 
 Diagnostic TooManyEnvironments(Span version) {
-  Diagnostic warning;
-  warning.severity = Severity::kWarning;
-  warning.code = "W3005";
-  warning.span = version;
-  warning.message =
-      "the clauses tell apart too many environments to develop in each";
-  warning.label = "growth and expression of symbols are not checked";
-  return warning;
+  return Diagnostic(
+             Code::kUnchecked, version,
+             "the clauses tell apart too many environments to develop in each")
+      .WithLabel("growth and expression of symbols are not checked");
 }
 
 }  // namespace
@@ -138,7 +131,7 @@ std::vector<Diagnostic> Lint(std::span<const MappedProgram> compiled,
 
 Diagnostic GrowthError(const MappedProgram& compiled, const ActiveRules& active,
                        std::uint64_t length, const std::string& where) {
-  return Growth(compiled, active, length, "in " + where);
+  return Growth(Code::kTooLongString, compiled, active, length, "in " + where);
 }
 
 }  // namespace plsc

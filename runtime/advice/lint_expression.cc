@@ -27,6 +27,7 @@
 #include <utility>
 
 #include "compiler/limits.h"
+#include "grammar/reporter.h"
 #include "runtime/develop/derive.h"
 #include "runtime/develop/growth.h"
 #include "runtime/develop/trace.h"
@@ -177,94 +178,81 @@ class Watcher {
   std::vector<RuleFate> fates_;
 };
 
-Diagnostic Warn(const char* code, Span span, std::string message) {
-  Diagnostic warning;
-  warning.severity = Severity::kWarning;
-  warning.code = code;
-  warning.span = span;
-  warning.message = std::move(message);
-  return warning;
-}
-
 Diagnostic OfMissingJoint(Span span, SymbolId command, Effect why,
                           const Alphabet& alphabet) {
-  Diagnostic warning =
-      Warn("W4003", span,
-           fmt::format("somewhere this '{}' changes another joint than the one "
-                       "before it",
-                       alphabet[command].name));
-  warning.label =
-      fmt::format("that joint is not expressed there: {}", InfoOf(why).text);
-  warning.help =
-      "commands change the newest joint that is mounted; 'plsc develop "
-      "--trace' "
-      "shows which";
-  return warning;
+  return Diagnostic(
+             Code::kOtherJoint, span,
+             fmt::format("somewhere this '{}' changes another joint than the "
+                         "one before it",
+                         alphabet[command].name))
+      .WithLabel(fmt::format("that joint is not expressed there: {}",
+                             InfoOf(why).text))
+      .WithHelp(
+          "commands change the newest joint that is mounted; 'plsc develop "
+          "--trace' shows which");
 }
 
 Diagnostic OfRepeated(const RuleSpans& spans, std::uint32_t symbol,
                       int iterations) {
-  Diagnostic warning =
-      Warn("W4004", spans.head,
-           fmt::format("with 'iterations {}' this rule of C is read {} times, "
-                       "again and again from the core",
-                       iterations, iterations));
-  warning.label = "the first reading is in the way of the others";
-  warning.others.push_back(
-      {spans.symbols[symbol], "expressed in one reading, not in a later one"});
-  warning.help =
-      "write 'iterations 1', or end the rule with a move to where the next "
-      "reading shall go on";
-  return warning;
+  return Diagnostic(
+             Code::kReadAgain, spans.head,
+             fmt::format("with 'iterations {}' this rule of C is read {} "
+                         "times, again and again from the core",
+                         iterations, iterations))
+      .WithLabel("the first reading is in the way of the others")
+      .WithOther(spans.symbols[symbol],
+                 "expressed in one reading, not in a later one")
+      .WithHelp(
+          "write 'iterations 1', or end the rule with a move to where the next "
+          "reading shall go on");
 }
 
 void ReportSymbols(const Rule& rule, const RuleFate& fate,
                    const RuleSpans& spans, const Genotype& genotype,
-                   std::vector<Diagnostic>* warnings) {
+                   Reporter* reporter) {
   const bool is_core_rule =
       genotype.alphabet->is_built_in() && rule.head == plasticoding::kC;
   for (std::size_t i = 0; i < fate.symbols.size(); ++i) {
-    if (warnings->size() >= kMaxReported) return;
+    if (!reporter->Takes(Severity::kWarning)) return;
     const Fate& symbol = fate.symbols[i];
     if (symbol.missing_joint)
-      warnings->push_back(
-          OfMissingJoint(spans.symbols[i], rule.production[i].id,
-                         *symbol.missing_joint, *genotype.alphabet));
+      reporter->Add(OfMissingJoint(spans.symbols[i], rule.production[i].id,
+                                   *symbol.missing_joint, *genotype.alphabet));
     // The C that begins each rule of C is a matter of form.
     if (symbol.is_expressed || !symbol.is_read || (is_core_rule && i == 0))
       continue;
-    Diagnostic warning =
-        Warn("W4002", spans.symbols[i],
-             fmt::format("this '{}' is expressed in no environment",
-                         genotype.SymbolOf(rule.production[i].id).name));
-    warning.label = InfoOf(symbol.last).text;
-    warnings->push_back(std::move(warning));
+    reporter
+        ->Report(Code::kNotExpressed, spans.symbols[i],
+                 fmt::format("this '{}' is expressed in no environment",
+                             genotype.SymbolOf(rule.production[i].id).name))
+        .WithLabel(std::string(InfoOf(symbol.last).text));
   }
 }
 
 std::vector<Diagnostic> ReportAll(const MappedProgram& compiled,
                                   const std::vector<RuleFate>& fates) {
   const Genotype& genotype = compiled.program.genotype;
-  std::vector<Diagnostic> warnings;
+  Reporter reporter;
   for (std::size_t i = 0; i < fates.size(); ++i) {
-    if (warnings.size() >= kMaxReported) break;
+    if (!reporter.Takes(Severity::kWarning)) break;
     const RuleSpans& spans = compiled.map.rules[i];
     if (fates[i].repeated)
-      warnings.push_back(OfRepeated(spans, *fates[i].repeated,
-                                    genotype.development.iterations));
+      reporter.Add(OfRepeated(spans, *fates[i].repeated,
+                              genotype.development.iterations));
     if (fates[i].is_used) {
-      ReportSymbols(genotype.rules[i], fates[i], spans, genotype, &warnings);
+      ReportSymbols(genotype.rules[i], fates[i], spans, genotype, &reporter);
     } else if (fates[i].is_active) {  // never active is W3002's to say
       const std::string& head = genotype.SymbolOf(genotype.rules[i].head).name;
-      warnings.push_back(
-          Warn("W4002", spans.head,
-               fmt::format("this rule for '{}' rewrites nothing", head)));
-      warnings.back().label = fmt::format(
-          "where it is active, no '{}' stands in a string that is rewritten",
-          head);
+      reporter
+          .Report(Code::kNotExpressed, spans.head,
+                  fmt::format("this rule for '{}' rewrites nothing", head))
+          .WithLabel(fmt::format(
+              "where it is active, no '{}' stands in a string that is "
+              "rewritten",
+              head));
     }
   }
-  return warnings;
+  return reporter.Take();
 }
 
 }  // namespace
@@ -280,15 +268,14 @@ std::vector<Diagnostic> LintExpression(const MappedProgram& compiled,
     const ActiveRules active =
         Regulate(genotype, {space.At(regime.environment)});
     developed += DerivedLength(genotype, active);
-    if (developed > kMaxLintedSymbols) {
-      Diagnostic warning = Warn(
-          "W3005", file,
-          fmt::format("developing in every environment would take more than "
-                      "{} symbols",
-                      kMaxLintedSymbols));
-      warning.label = "whether every symbol is expressed is not checked";
-      return {warning};
-    }
+    if (developed > kMaxLintedSymbols)
+      return {
+          Diagnostic(
+              Code::kUnchecked, file,
+              fmt::format("developing in every environment would take more "
+                          "than {} symbols",
+                          kMaxLintedSymbols))
+              .WithLabel("whether every symbol is expressed is not checked")};
     watcher.Watch(active);
   }
   return ReportAll(compiled, watcher.fates());

@@ -45,17 +45,15 @@ std::vector<std::size_t> PassingTests(const MappedProgram& mapped) {
 }
 
 Diagnostic TooManyEnvironments(const MappedProgram& mapped) {
-  Diagnostic diagnostic;
-  diagnostic.code = "P4003";
-  diagnostic.span =
-      mapped.map.genotype.end > 0 ? mapped.map.genotype : mapped.map.version;
-  diagnostic.message = fmt::format(
-      "clauses that tell apart at most {} environments are expected, to "
-      "develop in each",
-      StateSpace::kMaxCombinations);
-  diagnostic.label = "nothing can be proved of all environments here";
-  diagnostic.help = "let clauses ask about fewer states or thresholds";
-  return diagnostic;
+  return Diagnostic(
+             Code::kTooManyEnvironments,
+             mapped.map.genotype.end > 0 ? mapped.map.genotype
+                                         : mapped.map.version,
+             fmt::format("clauses that tell apart at most {} environments are "
+                         "expected, to develop in each",
+                         StateSpace::kMaxCombinations))
+      .WithLabel("nothing can be proved of all environments here")
+      .WithHelp("let clauses ask about fewer states or thresholds");
 }
 
 // Those that some environment that counts is in: where the same rules are

@@ -10,16 +10,13 @@
 #include <algorithm>
 #include <string_view>
 
+#include "grammar/keywords.h"
+
 namespace plsc {
 
 namespace {
 
 constexpr std::string_view kBlanks = " \t";
-
-bool IsNameCharacter(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
-         (c >= '0' && c <= '9') || c == '_';
-}
 
 // Where the keyword stands in [begin, end), comments left out; it is there.
 Span FindKeyword(std::string_view text, std::string_view word, Span within) {
@@ -30,9 +27,9 @@ Span FindKeyword(std::string_view text, std::string_view word, Span within) {
       continue;
     }
     const auto end = static_cast<std::uint32_t>(at + word.size());
-    const bool begins_word = at == 0 || !IsNameCharacter(text[at - 1]);
+    const bool begins_word = at == 0 || !IsWordCharacter(text[at - 1]);
     if (begins_word && text.substr(at, word.size()) == word &&
-        !IsNameCharacter(text[end]))
+        !IsWordCharacter(text[end]))
       return {at, end};
   }
   return {within.end, within.end};

@@ -74,13 +74,11 @@ std::optional<WrittenNumber> AuthorsCursor::Number() {
 
 void AuthorsCursor::Fail(Span span, std::string expected) {
   if (has_failed()) return;
-  Diagnostic diagnostic;
-  diagnostic.code = "P5200";
-  diagnostic.span = span;
-  diagnostic.message = fmt::format("{} is expected, not {}", expected, Found());
-  diagnostic.notes.emplace_back(
-      "this is read as a genotype of Revolve, the authors' program");
-  error_ = std::move(diagnostic);
+  error_ =
+      Diagnostic(Code::kNotAuthors, span,
+                 fmt::format("{} is expected, not {}", expected, Found()))
+          .WithNote(
+              "this is read as a genotype of Revolve, the authors' program");
 }
 
 std::string AuthorsCursor::Found() const {

@@ -21,6 +21,7 @@
 #include "compiler/limits.h"
 #include "compiler/truth.h"
 #include "compiler/verify.h"
+#include "grammar/reporter.h"
 #include "grammar/screen.h"
 
 namespace plsc {
@@ -29,23 +30,9 @@ namespace {
 
 namespace p = plasticoding;
 
-Diagnostic Said(Severity severity, const char* code, Span span,
-                std::string message) {
-  Diagnostic diagnostic;
-  diagnostic.severity = severity;
-  diagnostic.code = code;
-  diagnostic.span = span;
-  diagnostic.message = std::move(message);
-  return diagnostic;
-}
-
 // u and l of the paper's experiments, which Revolve has outside of its texts.
 constexpr std::size_t kAuthorsMaxTerms = 2;
 constexpr std::size_t kAuthorsMaxRules = 2;
-
-bool IsError(const Diagnostic& diagnostic) {
-  return diagnostic.severity == Severity::kError;
-}
 
 bool IsSame(const AuthorsWord& a, const AuthorsWord& b) {
   return a.token == b.token &&
@@ -59,39 +46,34 @@ bool IsSame(const AuthorsWord& a, const AuthorsWord& b) {
 class Importer {
  public:
   Importer(AuthorsText read, const ImportOptions& options)
-      : read_(std::move(read)),
-        problems_(std::move(read_.problems)),
-        options_(options) {}
+      : read_(std::move(read)), options_(options) {
+    for (Diagnostic& problem : read_.problems)
+      reporter_.Add(std::move(problem));
+  }
 
   Result<Program> Import() {
-    if (!HasErrors()) {
+    if (!reporter_.has_errors()) {
       FindJoined();
       for (const AuthorsRule& rule : read_.rules)
-        if (!is_full()) Add(rule);
+        if (!reporter_.is_full()) Add(rule);
       FindLimits();
     }
     Program program;
-    if (!HasErrors()) {
+    if (!reporter_.has_errors()) {
       program = Assembled();
       // With ranges allowed it may complain of ranges.
       for (const std::string& broken :
            options_.allow_range ? std::vector<std::string>{} : Verify(program))
-        problems_.push_back(Said(Severity::kError, "P5200", {}, broken));
+        reporter_.Report(Code::kNotAuthors, {}, broken);
     }
-    SortAndDropRepeated(&problems_);
-    if (!HasErrors()) return {std::move(program), std::move(problems_)};
-    return std::move(problems_);
+    const bool is_broken = reporter_.has_errors();
+    std::vector<Diagnostic> problems = reporter_.Take();
+    SortAndDropRepeated(&problems);
+    if (is_broken) return problems;
+    return {std::move(program), std::move(problems)};
   }
 
  private:
-  // Warnings alone keep nothing from being read.
-  bool is_full() const {
-    return problems_.size() >= kMaxReported && HasErrors();
-  }
-  bool HasErrors() const {
-    return std::any_of(problems_.begin(), problems_.end(), IsError);
-  }
-
   // In the level season, where every condition is False, Revolve has put the
   // later active rules of a letter behind its first one, in the genotype.
   void FindJoined() {
@@ -118,18 +100,17 @@ class Importer {
     const auto begin =
         first.symbols.end() - static_cast<std::ptrdiff_t>(behind.size());
     if (!std::equal(begin, first.symbols.end(), behind.begin(), IsSame)) return;
-    Diagnostic diagnostic =
-        Said(Severity::kWarning, "W5200", begin->span,
-             fmt::format("from here on, {} symbols are those of the next rule "
-                         "of {}: Revolve joined them in the level season, "
-                         "before it wrote this",
-                         behind.size(), first.letter.token));
+    Diagnostic& diagnostic = reporter_.Report(
+        Code::kLost, begin->span,
+        fmt::format("from here on, {} symbols are those of the next rule "
+                    "of {}: Revolve joined them in the level season, "
+                    "before it wrote this",
+                    behind.size(), first.letter.token));
     if (options_.unjoin)
       diagnostic.label = "left out";
     else
       diagnostic.help =
           "with --unjoin they are left out, as before that season";
-    problems_.push_back(std::move(diagnostic));
     if (options_.unjoin) first.symbols.erase(begin, first.symbols.end());
   }
 
@@ -138,34 +119,34 @@ class Importer {
     const bool is_letter = letter != nullptr &&
                            (*PlasticodingAlphabet())[letter->id].is_replaceable;
     if (!is_letter) {
-      problems_.push_back(
-          Said(Severity::kError, "P2007", from.letter.span,
-               fmt::format("a letter that has rules (C, AJ1, AJ2, B, ST) is "
-                           "expected, not '{}'",
-                           from.letter.token)));
+      reporter_.Report(
+          Code::kNotReplaceable, from.letter.span,
+          fmt::format("a letter that has rules (C, AJ1, AJ2, B, ST) is "
+                      "expected, not '{}'",
+                      from.letter.token));
       return;
     }
     const bool is_second =
         !read_.has_clauses && !letters_.insert(letter->id).second;
     if (is_second)
-      problems_.push_back(
-          Said(Severity::kError, "P5200", from.letter.span,
-               fmt::format("one rule of '{}' is expected, and this is the "
-                           "second",
-                           from.letter.token)));
+      reporter_.Report(
+          Code::kNotAuthors, from.letter.span,
+          fmt::format("one rule of '{}' is expected, and this is the "
+                      "second",
+                      from.letter.token));
     if (from.symbols.empty()) {
-      problems_.push_back(
-          Said(Severity::kWarning, "W5200", from.span,
-               fmt::format("this rule of {} is empty, which replaces nothing; "
-                           "it is left out",
-                           from.letter.token)));
+      reporter_.Report(
+          Code::kLost, from.span,
+          fmt::format("this rule of {} is empty, which replaces nothing; "
+                      "it is left out",
+                      from.letter.token));
       return;
     }
     Rule rule{letter->id, from.clause, {}};
     for (const AuthorsWord& word : from.symbols) {
-      if (is_full()) return;
+      if (reporter_.is_full()) return;
       if (const auto symbol =
-              ImportSymbol(word, options_.allow_range, &problems_))
+              ImportSymbol(word, options_.allow_range, &reporter_))
         rule.production.push_back(*symbol);
     }
     CheckCore(from, letter->id);
@@ -173,13 +154,14 @@ class Importer {
   }
 
   void CheckCore(const AuthorsRule& from, SymbolId head) {
-    for (std::size_t i = 0; i < from.symbols.size() && !is_full(); ++i) {
+    for (std::size_t i = 0; i < from.symbols.size() && !reporter_.is_full();
+         ++i) {
       const bool wants_core = head == p::kC && i == 0;
       if ((from.symbols[i].token == "C") == wants_core) continue;
-      problems_.push_back(
-          Said(Severity::kError, "P2008", from.symbols[i].span,
-               wants_core ? "a rule of C is expected to start with C"
-                          : "C is expected at the start of rules of C only"));
+      reporter_.Report(Code::kMisplacedCore, from.symbols[i].span,
+                       wants_core
+                           ? "a rule of C is expected to start with C"
+                           : "C is expected at the start of rules of C only");
     }
   }
 
@@ -212,12 +194,12 @@ class Importer {
 
   std::optional<int> Limit(const char* what, std::size_t usual, Most most) {
     if (most.count > usual)
-      problems_.push_back(Said(
-          Severity::kWarning, "W5200", most.span,
+      reporter_.Report(
+          Code::kLost, most.span,
           fmt::format("{} {} are more than the paper's {}: the limit of their "
                       "run is not in the text, and {} is written for it",
                       most.count, what, usual,
-                      most.count > kMaxLimit ? "none" : "this number")));
+                      most.count > kMaxLimit ? "none" : "this number"));
     if (most.count > kMaxLimit) return std::nullopt;
     return static_cast<int>(most.count);
   }
@@ -241,7 +223,7 @@ class Importer {
   }
 
   AuthorsText read_;
-  std::vector<Diagnostic> problems_;
+  Reporter reporter_;
   const ImportOptions& options_;
   std::set<SymbolId> letters_;
   std::vector<Rule> rules_;
@@ -263,7 +245,7 @@ Result<Program> ImportAuthorsGenotype(const Source& source,
                                       const ImportOptions& options) {
   // P5012 says that the text is what is wanted here.
   const auto problem = Screen(source);
-  if (problem && problem->code != "P5012") return *problem;
+  if (problem && problem->code != Code::kAuthorsGenotype) return *problem;
   AuthorsText read = format == AuthorsFormat::kRepr ? ReadAuthorsRepr(source)
                                                     : ReadAuthorsLines(source);
   return Importer(std::move(read), options).Import();

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "grammar/number.h"
+#include "grammar/reporter.h"
 #include "runtime/authors/cursor.h"
 #include "runtime/authors/genotype.h"
 
@@ -22,15 +23,6 @@ bool IsRounded(std::string_view number) {
          number.size() - point - 1 == kDecimals;
 }
 
-Diagnostic Lost(Span span, std::string message) {
-  Diagnostic diagnostic;
-  diagnostic.severity = Severity::kWarning;
-  diagnostic.code = "W5200";
-  diagnostic.span = span;
-  diagnostic.message = std::move(message);
-  return diagnostic;
-}
-
 class LinesReader {
  public:
   explicit LinesReader(const Source& source) : source_(source) {}
@@ -38,14 +30,15 @@ class LinesReader {
   AuthorsText Read() {
     for (int line = 1; line <= source_.line_count(); ++line) {
       // Of a hostile text nobody reads more.
-      if (read_.problems.size() >= kMaxReported) break;
+      if (reporter_.is_full()) break;
       ReadLine(line);
     }
     if (rounded_)
-      read_.problems.push_back(
-          Lost(*rounded_,
-               "numbers with six decimals were rounded when they were "
-               "written; the robot may differ a little from its original"));
+      reporter_.Report(
+          Code::kLost, *rounded_,
+          "numbers with six decimals were rounded when they were "
+          "written; the robot may differ a little from its original");
+    read_.problems = reporter_.Take();
     return std::move(read_);
   }
 
@@ -70,11 +63,11 @@ class LinesReader {
     const bool is_dropped =
         words.size() > 1 && words.back().end == begin + line.size();
     if (is_dropped)
-      read_.problems.push_back(
-          Lost(words.back(),
-               fmt::format("without a blank at the end of the line Revolve "
-                           "drops this '{}'; it is kept here",
-                           rule.symbols.back().token)));
+      reporter_.Report(
+          Code::kLost, words.back(),
+          fmt::format("without a blank at the end of the line Revolve "
+                      "drops this '{}'; it is kept here",
+                      rule.symbols.back().token));
     read_.rules.push_back(std::move(rule));
   }
 
@@ -91,10 +84,11 @@ class LinesReader {
       const Span place{span.begin + static_cast<std::uint32_t>(at),
                        span.begin + static_cast<std::uint32_t>(end)};
       const auto value = ParseNumber<double>(number);
-      if (!value && read_.problems.size() < kMaxReported)
-        Broken(place, fmt::format("a number is expected behind '_' and '|', "
-                                  "not '{}'",
-                                  number));
+      if (!value)
+        reporter_.Report(
+            Code::kNotAuthors, place,
+            fmt::format("a number is expected behind '_' and '|', not '{}'",
+                        number));
       if (!rounded_ && IsRounded(number)) rounded_ = place;
       word.parameters.push_back({value.value_or(0), place});
       at = end + 1;
@@ -102,16 +96,9 @@ class LinesReader {
     return word;
   }
 
-  void Broken(Span span, std::string message) {
-    Diagnostic diagnostic;
-    diagnostic.code = "P5200";
-    diagnostic.span = span;
-    diagnostic.message = std::move(message);
-    read_.problems.push_back(std::move(diagnostic));
-  }
-
   const Source& source_;
   AuthorsText read_;
+  Reporter reporter_;
   std::optional<Span> rounded_;  // the first number that was
 };
 

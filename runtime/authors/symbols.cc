@@ -62,17 +62,9 @@ std::string ParametersText(const SymbolInfo& info, SymbolId symbol) {
                      info.parameters.size() == 1 ? "" : "s");
 }
 
-Diagnostic Problem(const char* code, Span span, std::string message) {
-  Diagnostic diagnostic;
-  diagnostic.code = code;
-  diagnostic.span = span;
-  diagnostic.message = std::move(message);
-  return diagnostic;
-}
-
 Diagnostic UnknownToken(const AuthorsWord& word) {
-  Diagnostic diagnostic = Problem(
-      "P2001", word.span,
+  Diagnostic diagnostic(
+      Code::kUnknownSymbol, word.span,
       fmt::format("a token of Revolve is expected, not '{}'", word.token));
   std::vector<std::string_view> tokens;
   tokens.reserve(kSymbols.size());
@@ -80,7 +72,7 @@ Diagnostic UnknownToken(const AuthorsWord& word) {
   if (const auto near = Suggest(word.token, tokens))
     diagnostic.help = fmt::format("did you mean '{}'?", *near);
   else
-    diagnostic.notes.push_back(
+    diagnostic.WithNote(
         fmt::format("its tokens are {}", fmt::join(tokens, ", ")));
   return diagnostic;
 }
@@ -92,13 +84,13 @@ std::optional<Diagnostic> CheckNumber(const WrittenNumber& number,
   const bool is_whole = std::floor(number.value) == number.value &&
                         std::abs(number.value) <= kMaxWholeNumber;
   if (parameter.is_integer && !is_whole)
-    return Problem("P2003", number.span,
-                   fmt::format("{} wants a whole number, not {}",
-                               parameter.name, PrintNumber(number.value)));
+    return Diagnostic(Code::kNotWhole, number.span,
+                      fmt::format("{} wants a whole number, not {}",
+                                  parameter.name, PrintNumber(number.value)));
   if (number.value >= parameter.low && number.value <= parameter.high)
     return std::nullopt;
-  Diagnostic diagnostic = Problem(
-      "P2004", number.span,
+  Diagnostic diagnostic(
+      Code::kArgumentRange, number.span,
       std::isinf(parameter.high)
           ? fmt::format("{} is expected to be {} or more, not {}",
                         parameter.name, PrintNumber(parameter.low),
@@ -137,18 +129,18 @@ const std::vector<SymbolId>& AuthorsLetters() {
 }
 
 std::optional<Symbol> ImportSymbol(const AuthorsWord& word, bool allow_range,
-                                   std::vector<Diagnostic>* problems) {
+                                   Reporter* reporter) {
   const AuthorsSymbol* known = FindAuthorsSymbol(word.token);
   if (known == nullptr) {
-    problems->push_back(UnknownToken(word));
+    reporter->Add(UnknownToken(word));
     return std::nullopt;
   }
   const SymbolInfo& info = (*PlasticodingAlphabet())[known->id];
   if (word.parameters.size() != info.parameters.size()) {
-    problems->push_back(Problem(
-        "P2002", word.span,
+    reporter->Report(
+        Code::kArgumentCount, word.span,
         fmt::format("'{}' wants {}, not {}", word.token,
-                    ParametersText(info, known->id), word.parameters.size())));
+                    ParametersText(info, known->id), word.parameters.size()));
     return std::nullopt;
   }
   Symbol symbol{known->id, {}};
@@ -158,7 +150,7 @@ std::optional<Symbol> ImportSymbol(const AuthorsWord& word, bool allow_range,
     symbol.arguments[i] = number.value;
     const auto problem = CheckNumber(number, info.parameters[i], allow_range);
     if (!problem) continue;
-    problems->push_back(*problem);
+    reporter->Add(*problem);
     is_right = is_right && problem->severity == Severity::kWarning;
   }
   if (!is_right) return std::nullopt;

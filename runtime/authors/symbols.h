@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "compiler/genotype.h"
-#include "grammar/diagnostic.h"
+#include "grammar/reporter.h"
 
 namespace plsc {
 
@@ -40,10 +40,10 @@ struct AuthorsWord {
 };
 
 /// Of every symbol A1 to T of joints the order is weight, period, phase,
-/// amplitude there, and w, a, p, o here. Reports to `problems` a token or a
+/// amplitude there, and w, a, p, o here. Reports a token or a
 /// parameter that cannot be; nothing then.
 std::optional<Symbol> ImportSymbol(const AuthorsWord& word, bool allow_range,
-                                   std::vector<Diagnostic>* problems);
+                                   Reporter* reporter);
 
 /// The parameters of `symbol` in the authors' order.
 std::vector<double> AuthorsParameters(const Symbol& symbol);

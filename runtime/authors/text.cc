@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "grammar/reporter.h"
 #include "runtime/authors/genotype.h"
 
 namespace plsc {
@@ -12,10 +13,7 @@ namespace plsc {
 namespace {
 
 Diagnostic Unsayable(std::string message) {
-  Diagnostic diagnostic;
-  diagnostic.code = "P5200";
-  diagnostic.message = std::move(message);
-  return diagnostic;
+  return {Code::kNotAuthors, {}, std::move(message)};
 }
 
 // As Python prints a float: shortest, and with a point or an exponent. fmt
@@ -92,28 +90,22 @@ std::optional<Diagnostic> WhyNot(const Genotype& genotype, bool has_clauses) {
   return std::nullopt;
 }
 
-Diagnostic Loss(const char* message) {
-  Diagnostic diagnostic;
-  diagnostic.severity = Severity::kWarning;
-  diagnostic.code = "W5200";
-  diagnostic.message = message;
-  return diagnostic;
-}
-
 std::vector<Diagnostic> Losses(const Genotype& genotype, bool has_clauses) {
-  std::vector<Diagnostic> losses;
+  Reporter losses;
   if (genotype.development != DevelopmentSettings{})
-    losses.push_back(
-        Loss("iterations, max_modules and move_to_new are not part of the "
-             "text; Revolve has them in its experiments (3, 15, False in the "
-             "paper's)"));
+    losses.Report(
+        Code::kLost, {},
+        "iterations, max_modules and move_to_new are not part of the "
+        "text; Revolve has them in its experiments (3, 15, False in the "
+        "paper's)");
   const int rules = has_clauses ? 2 : 1;
   if (genotype.max_rules.value_or(rules) != rules ||
       (has_clauses && genotype.max_terms.value_or(2) != 2))
-    losses.push_back(
-        Loss("max_terms and max_rules are not part of the text; Revolve has "
-             "them in its experiments (2 and 2 in the paper's)"));
-  return losses;
+    losses.Report(
+        Code::kLost, {},
+        "max_terms and max_rules are not part of the text; Revolve has "
+        "them in its experiments (2 and 2 in the paper's)");
+  return losses.Take();
 }
 
 }  // namespace

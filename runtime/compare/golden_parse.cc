@@ -43,7 +43,8 @@ GoldenModule ReadModule(JsonReader& reader, const JsonValue& value) {
     module.slot = reader.Text(value, "slot");
     // Empty ones mean the core, which has neither key.
     if (module.parent.empty() || module.slot.empty())
-      reader.Error(value, "P5108", "expected the id of a module and its slot",
+      reader.Error(value, Code::kMisfit,
+                   "expected the id of a module and its slot",
                    "the core has neither 'parent' nor 'slot'");
   }
   if (reader.Has(value, "x") || reader.Has(value, "y") ||
@@ -64,7 +65,7 @@ GoldenNode ReadNode(JsonReader& reader, const JsonValue& value) {
   node.id = reader.Text(value, "id");
   const std::string type = reader.Text(value, "type");
   if (type != "Input" && type != "Oscillator")
-    reader.Error(value, "P5107",
+    reader.Error(value, Code::kUnknownWord,
                  fmt::format("expected Input or Oscillator for 'type', found "
                              "'{}'",
                              type));
@@ -122,7 +123,7 @@ GoldenString ReadString(JsonReader& reader, const JsonValue& value) {
         reader.Integer(value, "string_length", 0, kMaxInt));
     string.hash = reader.Text(value, "string_hash");
     if (string.hash.empty())
-      reader.Error(value, "P5108", "expected the hash of a long string",
+      reader.Error(value, Code::kMisfit, "expected the hash of a long string",
                    "shorter strings have neither hash nor length");
   }
   return string;
@@ -186,7 +187,7 @@ void ReadCases(JsonReader& reader, const JsonValue& root, Golden& golden) {
     const GoldenCase& last = golden.cases.back();
     const std::string& name = last.environment;
     if (!names.emplace(last.genotype, name).second)
-      reader.Error(value, "P5108",
+      reader.Error(value, Code::kMisfit,
                    fmt::format("environment '{}' stands twice", name),
                    "every environment has one expectation");
   });
@@ -198,7 +199,7 @@ bool ReadVersion(JsonReader& reader, const JsonValue& root) {
       reader.Integer(root, "plsc_golden", 1, std::numeric_limits<int>::max());
   if (version > kGoldenVersion)
     reader.Error(JsonValue{root.json["plsc_golden"], &root, "plsc_golden"},
-                 "P5002",
+                 Code::kNewerVersion,
                  fmt::format("this golden file is of version {}, and this plsc "
                              "reads version {}",
                              version, kGoldenVersion),
@@ -221,10 +222,10 @@ Golden ReadGolden(JsonReader& reader, const JsonValue& root) {
   if (golden.descriptor_tolerance < 0)
     reader.Error(JsonValue{root.json["descriptor_tolerance"], &root,
                            "descriptor_tolerance"},
-                 "P5104", "a tolerance is 0 or more");
+                 Code::kOutOfRange, "a tolerance is 0 or more");
   ReadCases(reader, root, golden);
   if (golden.cases.empty() && reader.errors().empty())
-    reader.Error(root, "P5108", "no environment to test in",
+    reader.Error(root, Code::kMisfit, "no environment to test in",
                  "name at least one in 'environments'");
   return golden;
 }
@@ -235,7 +236,7 @@ Result<Golden> ParseGolden(const Source& source) {
   const Result<Json> json = ReadJson(source);
   if (!json) {
     std::vector<Diagnostic> problems = json.diagnostics();
-    if (problems.front().code == "P5013")
+    if (problems.front().code == Code::kEmptyFile)
       problems.front().help = "remove it and run plsc test --update";
     return problems;
   }

@@ -30,6 +30,12 @@ class StringReader {
 
   const BodyTurtle& body() const { return body_; }
   const BrainTurtle& brain() const { return brain_; }
+  /// Which parameter of the neuron a mutate_ command changes.
+  static double Node::*ParameterOf(SymbolId symbol) {
+    if (symbol == plasticoding::kMutateAmp) return &Node::amplitude;
+    if (symbol == plasticoding::kMutatePer) return &Node::period;
+    return &Node::phase_offset;
+  }
 
  private:
   Effect Mount(SymbolId symbol, const Arguments& arguments);
@@ -46,12 +52,6 @@ class StringReader {
         Slot::kBack,  Slot::kRight, Slot::kFront, Slot::kLeft};  // move_
     return kSides[static_cast<std::size_t>(symbol) -
                   static_cast<std::size_t>(plasticoding::kAddRight)];
-  }
-  // Which parameter of the neuron a mutate_ command changes.
-  static double Node::*ParameterOf(SymbolId symbol) {
-    if (symbol == plasticoding::kMutateAmp) return &Node::amplitude;
-    if (symbol == plasticoding::kMutatePer) return &Node::period;
-    return &Node::phase_offset;
   }
 
   BodyTurtle body_;

@@ -5,6 +5,7 @@
 // an equal experiment, by which runs are known again.
 
 #include "runtime/evolve/experiment.h"
+#include "grammar/number.h"
 
 #include <fmt/format.h>
 
@@ -61,7 +62,8 @@ std::optional<std::string> ReadName(const YamlValue& value,
                                     std::string_view what) {
   std::optional<std::string> name = value.Text(what);
   if (!name || IsName(*name)) return name;
-  value.Report("P5107", fmt::format("expected {}, found '{}'", what, *name),
+  value.Report(Code::kUnknownWord,
+               fmt::format("expected {}, found '{}'", what, *name),
                "a name is made of letters, digits and '_', begins with no "
                "digit, and is no word of the language");
   return std::nullopt;
@@ -71,7 +73,7 @@ std::optional<State> ReadRealState(State state, const YamlValue& value) {
   const std::string text = value.text();
   const std::size_t dots = text.find("..");
   if (dots == std::string::npos) {
-    value.Report("P5103",
+    value.Report(Code::kWrongKind,
                  fmt::format("expected a range or a list of values, found "
                              "'{}'",
                              text),
@@ -84,7 +86,7 @@ std::optional<State> ReadRealState(State state, const YamlValue& value) {
       ParseQuantity(std::string_view(text).substr(dots + 2), {});
   if (low.error || high.error || low.value >= high.value) {
     value.Report(
-        "P5103",
+        Code::kWrongKind,
         fmt::format("expected a range from less to more, found '{}'", text),
         "write it as in '-40..60'");
     return std::nullopt;
@@ -100,18 +102,21 @@ std::optional<State> ReadEnumState(State state, const YamlValue& value) {
   if (!items) return std::nullopt;
   state.type = StateType::kEnum;
   if (items->size() > kMaxSymbols) {
-    value.Report("P3002", fmt::format("a state has at most {} values, found {}",
-                                      kMaxSymbols, items->size()));
+    value.Report(Code::kLimit,
+                 fmt::format("a state has at most {} values, found {}",
+                             kMaxSymbols, items->size()));
     return std::nullopt;
   }
   for (const YamlValue& item : *items)
     if (auto name = ReadName(item, "a value")) {
       const auto& known = state.values;
       if (std::find(known.begin(), known.end(), *name) != known.end())
-        item.Report("P5108", fmt::format("value '{}' is given twice", *name));
+        item.Report(Code::kMisfit,
+                    fmt::format("value '{}' is given twice", *name));
       state.values.push_back(std::move(*name));
     }
-  if (items->size() < 2) value.Report("P5108", "expected at least two values");
+  if (items->size() < 2)
+    value.Report(Code::kMisfit, "expected at least two values");
   return state;
 }
 
@@ -127,7 +132,7 @@ std::optional<State> ReadState(const YamlValue& value) {
   YamlMap map = *value.Map("a state");
   const std::vector<YamlMap::Entry>& entries = map.TakeAll();
   if (entries.size() != 1) {
-    value.Report("P5103", "expected one state here",
+    value.Report(Code::kWrongKind, "expected one state here",
                  "write each state as its own item of the list");
     return std::nullopt;
   }
@@ -144,7 +149,7 @@ std::optional<std::vector<State>> ReadStates(const YamlValue& value) {
   const auto items = value.List("states");
   if (!items) return std::nullopt;
   if (items->size() > kMaxStates) {
-    value.Report("P3002",
+    value.Report(Code::kLimit,
                  fmt::format("a genotype has at most {} states, found {}",
                              kMaxStates, items->size()));
     return std::nullopt;
@@ -156,7 +161,7 @@ std::optional<std::vector<State>> ReadStates(const YamlValue& value) {
         states.begin(), states.end(),
         [&](const State& other) { return other.name == state->name; });
     if (is_known)
-      item.Report("P5108",
+      item.Report(Code::kMisfit,
                   fmt::format("state '{}' is given twice", state->name));
     else
       states.push_back(std::move(*state));
@@ -172,7 +177,7 @@ void ReadInitialTerms(YamlMap& map, int most_terms, GenotypeOptions& options) {
   const bool is_word = most && most->is_scalar() && !most->text().empty() &&
                        std::isalpha(most->text()[0]) != 0;
   if (is_word && most->text() != kAsMaxTerms)
-    most->Report("P5107",
+    most->Report(Code::kUnknownWord,
                  fmt::format("expected a whole number or {}, found '{}'",
                              kAsMaxTerms, most->text()),
                  fmt::format("write '{}'", kAsMaxTerms),
@@ -228,7 +233,7 @@ GenotypeOptions ReadGenotype(YamlMap& map) {
     if (auto read = ReadStates(*states)) options.states = *std::move(read);
     if (map.place().error_count() == errors && options.states.empty() &&
         options.encoding == Encoding::kPlasticoding)
-      states->Report("P5108",
+      states->Report(Code::kMisfit,
                      "expected at least one state: clauses ask about them",
                      "write 'encoding: baseline' for rules without clauses");
   }
@@ -254,7 +259,7 @@ int ReadPopulation(YamlMap& map, const char* key, int otherwise, int least) {
   if (!number) return otherwise;
   if (*number >= least && *number <= kMaxPopulation)
     return static_cast<int>(*number);
-  value->Report("P5104",
+  value->Report(Code::kOutOfRange,
                 fmt::format("expected a whole number of {} to {}, found {}",
                             least, kMaxPopulation, *number),
                 *number > kMaxPopulation
@@ -282,7 +287,7 @@ void CheckSize(const YamlValue& place, const Experiment& experiment) {
   const double largest = LargestGenotype(experiment.genotype);
   if (robots * largest <= kMaxGenotypes) return;
   place.Report(
-      "P5108",
+      Code::kMisfit,
       fmt::format(
           "{} robots of up to {:.0f} symbols each are more than the {:.0f} "
           "symbols that memory is meant for",
@@ -296,8 +301,9 @@ void CheckTogether(YamlMap& map, const Experiment& experiment) {
   };
   if (Evaluations(experiment) > std::numeric_limits<int>::max())
     place("generations")
-        .Report("P5108", fmt::format("{} robots are more than can be numbered",
-                                     Evaluations(experiment)));
+        .Report(Code::kMisfit,
+                fmt::format("{} robots are more than can be numbered",
+                            Evaluations(experiment)));
   CheckSize(place("population"), experiment);
   if (!experiment.scenario_file.empty()) return;
   for (const Diagnostic& error : CheckSenses(experiment))
@@ -310,7 +316,8 @@ std::string PrintState(const State& state) {
     case StateType::kBool:
       return name;
     case StateType::kReal:
-      return fmt::format("{{{}: {}..{}}}", name, state.low, state.high);
+      return fmt::format("{{{}: {}..{}}}", name, PrintPlainNumber(state.low),
+                         PrintPlainNumber(state.high));
     case StateType::kEnum: {
       std::vector<std::string> values;
       for (const std::string& value : state.values)
@@ -324,7 +331,8 @@ std::string PrintState(const State& state) {
 std::string PrintVariation(const Experiment& experiment) {
   const MutationOptions& options = experiment.variation;
   std::string text;
-  text += fmt::format("clause_mutation: {}\n", options.clause_share);
+  text += fmt::format("clause_mutation: {}\n",
+                      PrintPlainNumber(options.clause_share));
   text += fmt::format("insertion: {}\n",
                       NameIn(kInsertionNames, options.insertion));
   text += fmt::format("removal: {}\n", NameIn(kRemovalNames, options.removal));
@@ -422,8 +430,9 @@ std::string PrintExperimentKeys(const Experiment& experiment, int indent) {
   text += fmt::format("population: {}\n", experiment.population);
   text += fmt::format("offspring: {}\n", experiment.offspring);
   text += fmt::format("generations: {}\n", experiment.generations);
-  text += fmt::format("mutation: {}\n", experiment.mutation);
-  text += fmt::format("crossover: {}\n", experiment.crossover);
+  text += fmt::format("mutation: {}\n", PrintPlainNumber(experiment.mutation));
+  text +=
+      fmt::format("crossover: {}\n", PrintPlainNumber(experiment.crossover));
   text += fmt::format("tournament: {}\n", experiment.tournament);
   text += PrintVariation(experiment);
   text += PrintGenotypeOptions(experiment.genotype);

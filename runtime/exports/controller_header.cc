@@ -6,6 +6,7 @@
 // a user wrote can end a comment or a line (InComment).
 
 #include "runtime/exports/controller_header.h"
+#include "grammar/number.h"
 
 #include <fmt/format.h>
 
@@ -47,7 +48,7 @@ std::string InComment(const std::string& text) {
 
 /// A constant of type double.
 std::string DoubleText(double number) {
-  const std::string text = fmt::format("{}", number == 0 ? 0.0 : number);
+  const std::string text = PrintPlainNumber(number == 0 ? 0.0 : number);
   return text.find_first_of(".e") == std::string::npos ? text + ".0" : text;
 }
 

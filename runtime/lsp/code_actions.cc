@@ -108,14 +108,14 @@ class Finder {
     const std::size_t blank = text.substr(0, begin).find_last_not_of(" \t");
     const bool is_first_on_line =
         blank == std::string_view::npos || text[blank] == '\n';
-    Json& action =
-        Add(fmt::format("Allow {} here", diagnostic.code), diagnostic, true);
+    Json& action = Add(fmt::format("Allow {} here", NumberOf(diagnostic.code)),
+                       diagnostic, true);
     action["edit"] = WorkspaceEditJson(
         analysis_.uri(),
         Json::array({TextEditJson(
             analysis_.lines(), {begin, begin},
             fmt::format("{}# plsc: allow {}\n", is_first_on_line ? "" : "\n",
-                        diagnostic.code))}));
+                        NumberOf(diagnostic.code)))}));
   }
 
   Analysis& analysis_;

@@ -43,10 +43,11 @@ Json DiagnosticToJson(const Diagnostic& diagnostic, const Analysis& analysis,
   Json json = {{"range", RangeJson(lines.RangeOf(diagnostic.span))},
                {"severity", SeverityOf(diagnostic, is_advice)},
                {"source", "plsc"},
-               {"message", MessageOf(diagnostic)}};
-  if (!diagnostic.code.empty()) json["code"] = diagnostic.code;
+               {"message", MessageOf(diagnostic)},
+               {"code", NumberOf(diagnostic.code)}};
   // What does nothing is shown faded.
-  if (diagnostic.code == "W4002") json["tags"] = Json::array({kUnnecessary});
+  if (diagnostic.code == Code::kNotExpressed)
+    json["tags"] = Json::array({kUnnecessary});
   for (const Label& other : diagnostic.others)
     json["relatedInformation"].push_back(
         {{"location",

@@ -52,7 +52,7 @@ Eigen::Matrix<double, kSize, 1> ReadVector(JsonReader& reader,
     ++count;
   });
   if (count != kSize)
-    reader.Error(object, "P5108",
+    reader.Error(object, Code::kMisfit,
                  fmt::format("expected {} numbers for '{}', found {}", kSize,
                              key, count));
   return vector;
@@ -63,7 +63,7 @@ Enum ReadEnum(JsonReader& reader, const JsonValue& object, std::string_view key,
               const EnumNames<Enum, N>& names) {
   const std::string text = reader.Text(object, key);
   if (const std::optional<Enum> value = ValueIn(names, text)) return *value;
-  reader.Error(object, "P5107",
+  reader.Error(object, Code::kUnknownWord,
                fmt::format("unknown value '{}' for '{}'", text, key));
   return Enum{};
 }
@@ -85,7 +85,7 @@ std::uint64_t ReadSeed(JsonReader& reader, const JsonValue& object) {
   const std::string text = reader.Text(object, "seed");
   const auto seed = ParseNumber<std::uint64_t>(text);
   if (!seed)
-    reader.Error(object, "P5103",
+    reader.Error(object, Code::kWrongKind,
                  fmt::format("expected a whole number as text for 'seed', "
                              "found '{}'",
                              text));
@@ -160,9 +160,9 @@ RecordedBox ReadBox(JsonReader& reader, const JsonValue& value,
   box.centre = ReadVector<3>(reader, value, "centre");
   box.turn = ReadVector<4>(reader, value, "turn");
   if ((box.size.array() <= 0).any())
-    reader.Error(value, "P5104", "a box has sides of more than 0 m");
+    reader.Error(value, Code::kOutOfRange, "a box has sides of more than 0 m");
   if (std::abs(box.turn.norm() - 1) > kUnitTolerance)
-    reader.Error(value, "P5108",
+    reader.Error(value, Code::kMisfit,
                  "expected a quaternion of length 1 for "
                  "'turn'");
   return box;
@@ -176,12 +176,14 @@ RecordedLink ReadLink(JsonReader& reader, const JsonValue& value,
   if (!reader.IsObject(value, kKnown)) return link;
   link.mass = reader.Number(value, "mass");
   if (!(link.mass > 0))
-    reader.Error(value, "P5104", "a link has a mass of more than 0 kg");
+    reader.Error(value, Code::kOutOfRange,
+                 "a link has a mass of more than 0 kg");
   link.rest = ReadVector<3>(reader, value, "rest");
   reader.List(value, "boxes", [&](const JsonValue& box) {
     link.boxes.push_back(ReadBox(reader, box, modules));
   });
-  if (link.boxes.empty()) reader.Error(value, "P5108", "a link has boxes");
+  if (link.boxes.empty())
+    reader.Error(value, Code::kMisfit, "a link has boxes");
   return link;
 }
 
@@ -236,12 +238,12 @@ Eigen::MatrixXd ReadTrack(JsonReader& reader, const JsonValue& motion,
     const double unit = reader.Number(track, "unit");
     if (unit != shape.unit)
       reader.Error(
-          track, "P5107",
+          track, Code::kUnknownWord,
           fmt::format("expected {} for 'unit', found {}", shape.unit, unit));
     const auto found = reader.Integer(track, "rows", 0, kMaxInt);
     // Nothing was moving where nothing was simulated.
     if (found != (shape.samples == 0 ? 0 : rows)) {
-      reader.Error(track, "P5108",
+      reader.Error(track, Code::kMisfit,
                    fmt::format("expected {} rows for '{}', as the body has, "
                                "found {}",
                                rows, key, found));
@@ -251,7 +253,7 @@ Eigen::MatrixXd ReadTrack(JsonReader& reader, const JsonValue& motion,
             DecodeTrack(reader.Text(track, "data"), found, shape.samples, unit))
       numbers = std::move(*decoded);
     else
-      reader.Error(track, "P5108",
+      reader.Error(track, Code::kMisfit,
                    fmt::format("'data' is not {} times {} numbers", found,
                                shape.samples));
   });
@@ -265,7 +267,7 @@ void ReadSteps(JsonReader& reader, const JsonValue& value, Eigen::Index samples,
   for (Eigen::Index i = 0; i < steps.size(); ++i) {
     const auto step = static_cast<std::int64_t>(steps(i));
     if (step < 0 || (i > 0 && step <= motion.steps.back())) {
-      reader.Error(value, "P5108", "'steps' do not rise from 0");
+      reader.Error(value, Code::kMisfit, "'steps' do not rise from 0");
       return;
     }
     motion.steps.push_back(step);
@@ -280,14 +282,14 @@ Motion ReadMotion(JsonReader& reader, const JsonValue& value,
   if (!reader.IsObject(value, kKnown)) return motion;
   motion.step = reader.Number(value, "step");
   if (!(motion.step > 0))
-    reader.Error(value, "P5104", "a 'step' takes more than 0 s");
+    reader.Error(value, Code::kOutOfRange, "a 'step' takes more than 0 s");
   const Eigen::Index samples = reader.Integer(value, "samples", 0, kMaxInt);
   std::size_t sensors = 0;
   for (const RecordedModule& module : body.modules)
     if (module.type == ModuleType::kTouchSensor) ++sensors;
   const std::size_t links = body.links.size();
   if (samples > 0 && links == 0)
-    reader.Error(value, "P5108", "samples of a robot without links");
+    reader.Error(value, Code::kMisfit, "samples of a robot without links");
   ReadSteps(reader, value, samples, motion);
   motion.position =
       ReadTrack(reader, value, "position", {3 * links, samples, kPositionUnit});
@@ -298,14 +300,14 @@ Motion ReadMotion(JsonReader& reader, const JsonValue& value,
   const Eigen::MatrixXd touch =
       ReadTrack(reader, value, "touch", {sensors, samples, 1});
   if ((touch.array() < 0).any() || (touch.array() > 1).any())
-    reader.Error(value, "P5104", "'touch' is 0 or 1");
+    reader.Error(value, Code::kOutOfRange, "'touch' is 0 or 1");
   else
     motion.touch = touch.cast<int>();
   for (Eigen::Index i = 0; i < motion.turn.size(); i += 4)
     if (const double norm =
             Eigen::Map<const Eigen::Vector4d>(motion.turn.data() + i).norm();
         std::abs(norm - 1) > kUnitTolerance) {
-      reader.Error(value, "P5108",
+      reader.Error(value, Code::kMisfit,
                    fmt::format("'turn' has a quaternion of length {}", norm));
       break;
     }
@@ -347,7 +349,7 @@ bool IsOfThisVersion(JsonReader& reader, const JsonValue& root) {
   if (version > kRecordingVersion)
     reader.Error(
         JsonValue{root.json["plsc_recording"], &root, "plsc_recording"},
-        "P5002",
+        Code::kNewerVersion,
         fmt::format("this recording is of version {}, and this plsc "
                     "reads version {}",
                     version, kRecordingVersion),

@@ -1,7 +1,5 @@
 #include "runtime/report/report_json.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -30,7 +28,7 @@ constexpr std::size_t kMostClauses = 40;
 /// With six digits; null for what is no number.
 Json Number(double value) {
   if (!std::isfinite(value)) return nullptr;
-  return *ParseNumber<double>(fmt::format("{:.6g}", value));
+  return *ParseNumber<double>(PrintRoundedNumber(value, 6));
 }
 
 Json Number(const std::optional<double>& value) {

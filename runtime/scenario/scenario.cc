@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "compiler/environment_text.h"
+#include "grammar/reporter.h"
 
 namespace plsc {
 
@@ -12,13 +13,11 @@ namespace {
 
 Diagnostic SenseError(const Season& season, const State& state,
                       const std::string& found, std::string help) {
-  Diagnostic error;
-  error.code = "P5108";
-  error.message =
-      fmt::format("season '{}': expected {} for state '{}', found {}",
-                  season.name, ExpectedValue(state), state.name, found);
-  error.help = std::move(help);
-  return error;
+  return Diagnostic(
+             Code::kMisfit, {},
+             fmt::format("season '{}': expected {} for state '{}', found {}",
+                         season.name, ExpectedValue(state), state.name, found))
+      .WithHelp(std::move(help));
 }
 
 }  // namespace
@@ -27,13 +26,13 @@ Result<Environment> Sense(const Season& season,
                           const std::vector<State>& states,
                           const std::map<std::string, std::string>& felt) {
   Environment environment;
-  std::vector<Diagnostic> errors;
+  Reporter errors;
   for (const State& state : states) {
     const auto given = season.senses.find(state.name);
     const auto own = felt.find(state.name);
     const bool is_given = given != season.senses.end();
     if (!is_given && own == felt.end()) {
-      errors.push_back(SenseError(
+      errors.Add(SenseError(
           season, state, "nothing",
           fmt::format("add '{}' to the senses of the season", state.name)));
       continue;
@@ -42,10 +41,9 @@ Result<Environment> Sense(const Season& season,
     if (const auto value = ParseStateValue(text, state))
       environment.values.push_back(*value);
     else
-      errors.push_back(
-          SenseError(season, state, fmt::format("'{}'", text), ""));
+      errors.Add(SenseError(season, state, fmt::format("'{}'", text), ""));
   }
-  if (!errors.empty()) return errors;
+  if (errors.has_errors()) return errors.Take();
   return environment;
 }
 
@@ -57,22 +55,21 @@ bool IsFelt(const Scenario& scenario, const Season& season,
 
 std::vector<Diagnostic> CheckSenses(const Scenario& scenario,
                                     const std::vector<State>& states) {
-  std::vector<Diagnostic> errors;
+  Reporter errors;
   // Without senses of its own a season feels all that can be felt.
   std::vector<State> not_felt;
   for (const State& state : states)
     if (!IsFelt(scenario, {}, state)) not_felt.push_back(state);
   for (const Season& season : scenario.seasons) {
-    if (errors.size() >= kMaxReported) break;
+    if (errors.is_full()) break;
     const bool feels = std::any_of(
         states.begin(), states.end(),
         [&](const State& state) { return IsFelt(scenario, season, state); });
     const Result<Environment> sensed = Sense(season, feels ? not_felt : states);
     if (!sensed)
-      errors.insert(errors.end(), sensed.diagnostics().begin(),
-                    sensed.diagnostics().end());
+      for (const Diagnostic& error : sensed.diagnostics()) errors.Add(error);
   }
-  return errors;
+  return errors.Take();
 }
 
 }  // namespace plsc

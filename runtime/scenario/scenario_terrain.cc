@@ -50,7 +50,7 @@ Obstacles ReadObstacles(YamlMap map) {
   obstacles.size = map.Number("size", obstacles.size, kWidth);
   obstacles.height = map.Number("height", obstacles.height, kHeight);
   if (map.place().error_count() == errors && obstacles.size > obstacles.spacing)
-    map.place().Report("P5108",
+    map.place().Report(Code::kMisfit,
                        fmt::format("obstacles of {} m do not fit squares of "
                                    "{} m",
                                    obstacles.size, obstacles.spacing),
@@ -66,7 +66,7 @@ Terrain ReadName(const YamlValue& value) {
   if (!type) return terrain;
   terrain.type = *type;
   if (terrain.type == TerrainType::kTilted)
-    value.Report("P5106", "expected the tilt of the ground",
+    value.Report(Code::kMissingKey, "expected the tilt of the ground",
                  "write 'terrain: {tilted: 5 deg}'");
   return terrain;
 }
@@ -78,7 +78,8 @@ Terrain ReadTerrain(const YamlValue& value) {
   YamlMap map = *value.Map("a terrain");
   Terrain terrain;
   if (map.Find("flat")) {
-    value.Report("P5103", "expected 'flat' alone: it has no parameters",
+    value.Report(Code::kWrongKind,
+                 "expected 'flat' alone: it has no parameters",
                  "write 'terrain: flat'");
     map.TakeAll();
     return terrain;
@@ -107,7 +108,7 @@ Terrain ReadTerrain(const YamlValue& value) {
   map.Close();
   // Of an unknown kind that is said already.
   if (named != 1 && value.error_count() == errors)
-    value.Report("P5106",
+    value.Report(Code::kMissingKey,
                  fmt::format("expected one kind of ground, found {}", named),
                  "write '{tilted: 5 deg}', '{rough: {...}}', '{steps: {...}}' "
                  "or '{obstacles: {...}}'");

@@ -61,7 +61,8 @@ std::map<std::string, std::string> ReadSenses(YamlMap map) {
     const bool is_true = *text == "true" || *text == "TRUE";
     if (is_true || *text == "false" || *text == "FALSE")
       entry.value.Report(
-          "P5107", fmt::format("expected True or False, found '{}'", *text),
+          Code::kUnknownWord,
+          fmt::format("expected True or False, found '{}'", *text),
           fmt::format("write '{}', as in a clause",
                       is_true ? "True" : "False"));
     senses[entry.key] = *text;
@@ -82,7 +83,7 @@ std::optional<double> ReadStartHeight(const YamlValue& value) {
     return std::nullopt;
   const std::vector<std::string_view> words = {kResting};
   if (value.is_scalar() && Suggest(value.text(), words)) {
-    value.Report("P5107",
+    value.Report(Code::kUnknownWord,
                  fmt::format("expected a length or {}, found '{}'", kResting,
                              value.text()),
                  fmt::format("did you mean '{}'?", kResting), kResting);
@@ -105,7 +106,8 @@ Season ReadSeason(const YamlValue& value, Profile profile,
       map->Text("name", std::string(NameIn(kTerrainNames, terrain.type)));
   if (!IsFileName(season.name))
     map->Find("name")->Report(
-        "P5107", "expected a name of letters, digits, '_', '-' and '.'",
+        Code::kUnknownWord,
+        "expected a name of letters, digits, '_', '-' and '.'",
         "files are called after seasons");
   season.duration = map->Number("duration", season.duration, kDuration);
   if (const auto height = map->Find("start_height"))
@@ -130,11 +132,12 @@ std::vector<Season> ReadSeasons(YamlMap& map, Profile profile,
   const auto items = value->List("seasons");
   if (!items) return seasons;
   if (items->empty())
-    value->Report("P5108", "expected at least one season, found none");
+    value->Report(Code::kMisfit, "expected at least one season, found none");
   if (items->size() > kMaxSeasons) {
-    value->Report("P5108", fmt::format("a scenario has at most {} seasons, "
-                                       "found {}",
-                                       kMaxSeasons, items->size()));
+    value->Report(Code::kMisfit,
+                  fmt::format("a scenario has at most {} seasons, "
+                              "found {}",
+                              kMaxSeasons, items->size()));
     return seasons;
   }
   std::set<std::string> names;
@@ -143,7 +146,7 @@ std::vector<Season> ReadSeasons(YamlMap& map, Profile profile,
     Season season = ReadSeason(item, profile, shared);
     // A season that is wrong may be called after what it is not.
     if (item.error_count() == errors && !names.insert(season.name).second)
-      item.Report("P5108",
+      item.Report(Code::kMisfit,
                   fmt::format("two seasons are called '{}'", season.name),
                   "give each its own 'name'");
     seasons.push_back(std::move(season));
@@ -161,20 +164,21 @@ void CheckSampling(YamlMap& map, const Scenario& scenario) {
   for (const Season& season : scenario.seasons) {
     if (scenario.sample_interval < season.physics.step)
       return place.Report(
-          "P5108", fmt::format("samples every {} s are closer than the steps "
-                               "of season '{}', {} s",
-                               scenario.sample_interval, season.name,
-                               season.physics.step));
+          Code::kMisfit,
+          fmt::format("samples every {} s are closer than the steps "
+                      "of season '{}', {} s",
+                      scenario.sample_interval, season.name,
+                      season.physics.step));
     if (scenario.sample_interval > season.duration)
       return place.Report(
-          "P5108",
+          Code::kMisfit,
           fmt::format("samples every {} s are further apart than "
                       "season '{}' is long, {} s",
                       scenario.sample_interval, season.name, season.duration));
     const double samples = season.duration / scenario.sample_interval;
     if (samples > kMaxSamples)
       return place.Report(
-          "P5108",
+          Code::kMisfit,
           fmt::format("samples every {} s are {:.0f} of season '{}', "
                       "{} s, more than {:.0f}",
                       scenario.sample_interval, samples, season.name,
@@ -195,7 +199,7 @@ void CheckSettling(YamlMap& map, const Scenario& scenario) {
     const double steps = scenario.imu.settling / season.physics.step;
     if (steps > kMaxSettlingSteps)
       return place.Report(
-          "P5108",
+          Code::kMisfit,
           fmt::format("the IMU settles for {} s, which are {:.0f} steps of "
                       "season '{}', more than {:.0f}",
                       scenario.imu.settling, steps, season.name,
@@ -212,7 +216,7 @@ void CheckLengths(YamlMap& map, const Scenario& scenario) {
     const double steps = season.duration / season.physics.step;
     if (steps > scenario.max_steps)
       return place.Report(
-          "P5108",
+          Code::kMisfit,
           fmt::format("season '{}' of {} s takes {:.0f} steps, more "
                       "than max_steps, {}",
                       season.name, season.duration, steps, scenario.max_steps),

@@ -1,5 +1,3 @@
-#include <fmt/format.h>
-
 #include <nlohmann/json.hpp>
 #include <set>
 #include <utility>
@@ -113,7 +111,7 @@ std::string CsvExport::Parts::Cell(Statement& row,
     case 'i':
       return std::to_string(row.TakeInteger());
     case 'r':
-      return fmt::format("{}", row.TakeReal());
+      return PrintPlainNumber(row.TakeReal());
     default:  // NULL is an empty text, too
       break;
   }

@@ -46,7 +46,7 @@ std::vector<YamlMap::Entry> ExperimentKeys(YamlMap& map) {
     if (entry.key == "seed" || entry.key == "name" ||
         entry.key == "plsc_experiment")
       entry.at.Report(
-          "P5108",
+          Code::kMisfit,
           fmt::format("'{}' is not for experiments of a study", entry.key),
           "every run has a name and a seed that follow from the study's");
     else
@@ -74,7 +74,7 @@ std::vector<StudyExperiment> ReadExperiments(
     // A mistake of the base is found in each.
     if (value.is_full()) break;
     if (!IsFolderName(entry.key))
-      entry.at.Report("P5107",
+      entry.at.Report(Code::kUnknownWord,
                       fmt::format("expected a name of letters, digits, '_', "
                                   "'-' and '.', found '{}'",
                                   entry.key),
@@ -84,7 +84,7 @@ std::vector<StudyExperiment> ReadExperiments(
       experiments.push_back({entry.key, ReadMerged(base, *own)});
   }
   if (map->TakeAll().empty())
-    value.Report("P5108", "expected at least one experiment");
+    value.Report(Code::kMisfit, "expected at least one experiment");
   return experiments;
 }
 
@@ -97,12 +97,13 @@ bool IsTooMuch(const YamlValue& experiments, const Study& study,
       static_cast<std::int64_t>(count) * study.repetitions;
   if (runs > kMaxRuns)
     experiments.Report(
-        "P5108", fmt::format("a study has at most {} runs; {} experiments of "
-                             "{} repetitions are {}",
-                             kMaxRuns, count, study.repetitions, runs));
+        Code::kMisfit,
+        fmt::format("a study has at most {} runs; {} experiments of "
+                    "{} repetitions are {}",
+                    kMaxRuns, count, study.repetitions, runs));
   else if (base_values * count > kMaxBaseValues)
     experiments.Report(
-        "P5108",
+        Code::kMisfit,
         fmt::format("{} experiments share a base of {} or more values: "
                     "together more than {}",
                     count, base_values, kMaxBaseValues),

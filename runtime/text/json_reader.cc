@@ -18,9 +18,6 @@ namespace plsc {
 
 namespace {
 
-// As many as a rendering shows; each is looked for from the file's beginning.
-constexpr std::size_t kMaxErrors = 20;
-
 // How many characters of a wrong value a message shows.
 constexpr std::size_t kExcerptCharacters = 40;
 
@@ -50,29 +47,16 @@ std::string Where(const JsonValue& value) {
 
 }  // namespace
 
-void JsonReader::Error(const JsonValue& at, std::string_view code,
-                       std::string message, std::string help) {
-  if (is_full()) return;
-  Add(JsonPlaceOf(source_.text(), PathOf(at)), code, std::move(message),
-      std::move(help));
-}
-
-bool JsonReader::is_full() const {
-  return errors_.size() >= kMaxErrors;
-}
-
-void JsonReader::Add(Span span, std::string_view code, std::string message,
-                     std::string help) {
-  Diagnostic diagnostic;
-  diagnostic.code = code;
-  diagnostic.span = span;
-  diagnostic.message = std::move(message);
-  diagnostic.help = std::move(help);
-  errors_.push_back(std::move(diagnostic));
+void JsonReader::Error(const JsonValue& at, Code code, std::string message,
+                       std::string help) {
+  if (reporter_.is_full()) return;
+  reporter_
+      .Report(code, JsonPlaceOf(source_.text(), PathOf(at)), std::move(message))
+      .WithHelp(std::move(help));
 }
 
 void JsonReader::Wrong(const JsonValue& value, std::string_view expected,
-                       std::string_view code) {
+                       Code code) {
   Error(value, code,
         fmt::format("expected {}{}, found {}", expected, Where(value),
                     Excerpt(value.json)));
@@ -85,14 +69,16 @@ bool JsonReader::IsObject(const JsonValue& value,
     return false;
   }
   for (const auto& [key, member] : value.json.items()) {
-    if (is_full()) return false;
+    if (reporter_.is_full()) return false;
     if (std::find(known.begin(), known.end(), key) != known.end()) continue;
     const auto nearest = Suggest(key, known);
     const JsonValue at{member, &value, key};
-    Add(JsonKeyPlaceOf(source_.text(), PathOf(at)), "P5101",
-        fmt::format("unknown key '{}'", key),
-        nearest ? fmt::format("did you mean '{}'?", *nearest)
-                : fmt::format("known here: {}", fmt::join(known, ", ")));
+    reporter_
+        .Report(Code::kUnknownKey, JsonKeyPlaceOf(source_.text(), PathOf(at)),
+                fmt::format("unknown key '{}'", key))
+        .WithHelp(nearest
+                      ? fmt::format("did you mean '{}'?", *nearest)
+                      : fmt::format("known here: {}", fmt::join(known, ", ")));
   }
   return true;
 }
@@ -105,7 +91,8 @@ const nlohmann::json* JsonReader::Member(const JsonValue& object,
                                          std::string_view key) {
   const auto found = object.json.find(key);
   if (found != object.json.end()) return &*found;
-  Error(object, "P5106", fmt::format("the key '{}' is missing here", key));
+  Error(object, Code::kMissingKey,
+        fmt::format("the key '{}' is missing here", key));
   return nullptr;
 }
 
@@ -134,7 +121,7 @@ std::int64_t JsonReader::Integer(const JsonValue& value, std::int64_t low,
     if (number >= low && number <= high) return number;
   }
   Wrong(value, fmt::format("a whole number in {}..{}", low, high),
-        is_whole ? "P5104" : "P5103");
+        is_whole ? Code::kOutOfRange : Code::kWrongKind);
   return low;
 }
 

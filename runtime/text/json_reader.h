@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-#include "grammar/diagnostic.h"
+#include "grammar/reporter.h"
 
 namespace plsc {
 
@@ -22,15 +22,16 @@ struct JsonValue {
   std::string step;  ///< key or position in the parent
 };
 
-/// Codes as those of runtime/text/yaml_reader.cc. What is wrong reads as a
-/// default.
+/// What is wrong reads as a default.
 class JsonReader {
  public:
   explicit JsonReader(const Source& source) : source_(source) {}
 
   /// The errors found; none: all values that were read are good.
-  const std::vector<Diagnostic>& errors() const { return errors_; }
-  void Error(const JsonValue& at, std::string_view code, std::string message,
+  const std::vector<Diagnostic>& errors() const {
+    return reporter_.diagnostics();
+  }
+  void Error(const JsonValue& at, Code code, std::string message,
              std::string help = "");
 
   /// Reports keys that are not among `known`, and what is no object.
@@ -60,16 +61,15 @@ class JsonReader {
   /// The member, or an error and nothing.
   const nlohmann::json* Member(const JsonValue& object, std::string_view key);
   void Wrong(const JsonValue& value, std::string_view expected,
-             std::string_view code = "P5103");
+             Code code = Code::kWrongKind);
 
  private:
-  // Asked before a place is looked for, which takes as long as the file.
-  bool is_full() const;
-  void Add(Span span, std::string_view code, std::string message,
-           std::string help);
+  // As many as a rendering shows: each is looked for from the file's beginning.
+  static constexpr std::size_t kMaxErrors = 20;
 
   const Source& source_;
-  std::vector<Diagnostic> errors_;
+  // Asked for room before a place is looked for.
+  Reporter reporter_{kMaxErrors};
 };
 
 }  // namespace plsc

@@ -17,11 +17,8 @@ using Json = nlohmann::json;
 // `byte` counts from 1; 0 where the library does not know.
 Diagnostic NotJson(const Json::exception& error, std::size_t byte,
                    std::size_t size) {
-  Diagnostic diagnostic;
-  diagnostic.code = "P5100";
   const auto at =
       static_cast<std::uint32_t>(std::min(byte == 0 ? 0 : byte - 1, size));
-  diagnostic.span = {at, at};
   // "[json.exception.parse_error.101] parse error at line 1, column 2: syntax
   // error while ...": the place is shown by the caret.
   std::string_view what = error.what();
@@ -31,22 +28,17 @@ Diagnostic NotJson(const Json::exception& error, std::size_t byte,
   const std::size_t number = what.find_first_not_of("0123456789");
   if (number > 0 && what.substr(number).starts_with(": "))
     what.remove_prefix(number + 2);
-  diagnostic.message = fmt::format("not JSON: {}", what);
-  return diagnostic;
+  return {Code::kNotYamlOrJson, {at, at}, fmt::format("not JSON: {}", what)};
 }
 
 }  // namespace
 
 Result<Json> ReadJson(const Source& source) {
   if (auto problem = Screen(source)) return *problem;
-  if (const auto deep = TooDeepInJson(source.text())) {
-    Diagnostic diagnostic;
-    diagnostic.code = "P5100";
-    diagnostic.span = *deep;
-    diagnostic.message = fmt::format(
-        "expected at most {} brackets around a value", kMaxJsonDepth);
-    return diagnostic;
-  }
+  if (const auto deep = TooDeepInJson(source.text()))
+    return Diagnostic(Code::kNotYamlOrJson, *deep,
+                      fmt::format("expected at most {} brackets around a value",
+                                  kMaxJsonDepth));
   Json json;
   try {
     json = Json::parse(source.text());
@@ -55,13 +47,9 @@ Result<Json> ReadJson(const Source& source) {
   } catch (const Json::exception& error) {  // a number beyond all doubles
     return NotJson(error, 0, source.text().size());
   }
-  if (const auto repeated = RepeatedJsonKey(source.text())) {
-    Diagnostic diagnostic;
-    diagnostic.code = "P5102";
-    diagnostic.span = *repeated;
-    diagnostic.message = "this key stands twice in its object";
-    return diagnostic;
-  }
+  if (const auto repeated = RepeatedJsonKey(source.text()))
+    return Diagnostic(Code::kRepeatedKey, *repeated,
+                      "this key stands twice in its object");
   return json;
 }
 

@@ -296,7 +296,7 @@ std::string PrintQuantity(double value, Dimension dimension) {
                        info.units.front().name);
   // 12 digits hide that 5 degrees are not a round number of radians.
   std::string degrees =
-      fmt::format("{:.12g} deg", value * 180 / std::numbers::pi);
+      PrintRoundedNumber(value * 180 / std::numbers::pi, 12) + " deg";
   const ParsedQuantity back = ParseQuantity(degrees, {dimension});
   if (!back.error && back.value == value) return degrees;
   return PrintPlainNumber(value) + " rad";

@@ -26,20 +26,17 @@
 #include <unordered_set>
 
 #include "grammar/number.h"
+#include "grammar/reporter.h"
 #include "grammar/screen.h"
 #include "grammar/suggest.h"
 #include "runtime/text/yaml_words.h"
 
 namespace plsc {
 
-// The codes of everything that can be wrong with a YAML file of ours:
-//   P5100 not YAML, P5101 unknown key, P5102 key given twice, P5103 wrong
-//   type, P5104 out of range, P5105 wrong or missing unit, P5106 missing key,
-//   P5107 unknown word, P5108 values that do not go together.
 struct YamlDocument {
   const Source& source;
   YAML::Node root;
-  std::vector<Diagnostic> diagnostics;
+  Reporter reporter;
 };
 
 struct YamlNode {
@@ -82,12 +79,10 @@ std::string Found(const YAML::Node& node) {
 }
 
 Diagnostic NotYaml(const Source& source, const YAML::Exception& error) {
-  Diagnostic diagnostic;
-  diagnostic.code = "P5100";
   const std::uint32_t at = OffsetOf(source, error.mark);
-  diagnostic.span = {at, at};
-  diagnostic.message = fmt::format("this is not YAML: {}", error.msg);
-  return diagnostic;
+  return {Code::kNotYamlOrJson,
+          {at, at},
+          fmt::format("this is not YAML: {}", error.msg)};
 }
 
 // Where documents begin; nothing else of them.
@@ -126,33 +121,29 @@ std::vector<YAML::Mark> DocumentBegins(const std::string& text) {
   return counter.begins();
 }
 
-YAML::Node ParseOne(const Source& source, std::vector<Diagnostic>& errors) {
-  Diagnostic error;
-  error.code = "P5100";
+YAML::Node ParseOne(const Source& source, Reporter& reporter) {
   const bool is_blank =
       source.text().find_first_not_of(" \t\r\n") == std::string_view::npos;
   // Other encodings, binary and far too large files. (An empty one gets a
   // message about genotypes there.)
   if (std::optional<Diagnostic> no_text = Screen(source);
       no_text && !is_blank) {
-    errors.push_back(std::move(*no_text));
+    reporter.Add(std::move(*no_text));
     return {};
   }
   try {
     const std::string text(source.text());
     const std::vector<YAML::Mark> begins = DocumentBegins(text);
     if (begins.size() == 1) return YAML::Load(text);
-    error.message =
-        fmt::format("expected one YAML document, found {}", begins.size());
-    if (!begins.empty()) {
-      const std::uint32_t at = OffsetOf(source, begins[1]);
-      error.span = {at, at};
-      if (text.substr(at, 1) == ",")
-        error.message = "this is not YAML: a ',' outside of all brackets";
-    }
-    errors.push_back(error);
+    const std::uint32_t at = begins.empty() ? 0 : OffsetOf(source, begins[1]);
+    const bool is_comma = !begins.empty() && text.substr(at, 1) == ",";
+    reporter.Report(Code::kNotYamlOrJson, {at, at},
+                    is_comma
+                        ? "this is not YAML: a ',' outside of all brackets"
+                        : fmt::format("expected one YAML document, found {}",
+                                      begins.size()));
   } catch (const YAML::Exception& exception) {
-    errors.push_back(NotYaml(source, exception));
+    reporter.Add(NotYaml(source, exception));
   }
   return {};
 }
@@ -205,30 +196,26 @@ std::size_t YamlValue::CountValues(std::size_t most) const {
 }
 
 bool YamlValue::is_full() const {
-  return document_->diagnostics.size() >= kMaxReported;
+  return document_->reporter.is_full();
 }
 
-void YamlValue::Report(std::string_view code, std::string message,
-                       std::string help, std::string replacement) const {
+void YamlValue::Report(Code code, std::string message, std::string help,
+                       std::string replacement) const {
   if (is_full()) return;
-  Diagnostic diagnostic;
-  diagnostic.code = code;
-  diagnostic.span = span();
-  diagnostic.message = std::move(message);
-  diagnostic.help = std::move(help);
-  if (!replacement.empty())
-    diagnostic.fixes.push_back({span(), std::move(replacement)});
-  document_->diagnostics.push_back(std::move(diagnostic));
+  Diagnostic& diagnostic =
+      document_->reporter.Report(code, span(), std::move(message))
+          .WithHelp(std::move(help));
+  if (!replacement.empty()) diagnostic.WithFix(span(), std::move(replacement));
 }
 
 std::size_t YamlValue::error_count() const {
-  return document_->diagnostics.size();
+  return document_->reporter.diagnostics().size();
 }
 
 std::optional<double> YamlValue::Number(const Quantity& quantity) const {
   const std::string_view expected = DimensionName(quantity.dimension);
   if (!is_scalar()) {
-    Report("P5103",
+    Report(Code::kWrongKind,
            fmt::format("expected {}, found {}", expected, Found(node_->node)),
            fmt::format("write it as in '{}'", ExampleOf(quantity)));
     return std::nullopt;
@@ -241,10 +228,9 @@ std::optional<double> YamlValue::Number(const Quantity& quantity) const {
   }
   if (!parsed.error) return parsed.value;
   using Kind = QuantityError::Kind;
-  const std::string_view code = parsed.error->kind == Kind::kNotANumber
-                                    ? "P5103"
-                                : parsed.error->kind == Kind::kRange ? "P5104"
-                                                                     : "P5105";
+  const Code code = parsed.error->kind == Kind::kNotANumber ? Code::kWrongKind
+                    : parsed.error->kind == Kind::kRange    ? Code::kOutOfRange
+                                                            : Code::kWrongUnit;
   Report(code, std::move(parsed.error->message), std::move(parsed.error->help),
          std::move(parsed.error->replacement));
   return std::nullopt;
@@ -268,7 +254,7 @@ std::optional<std::int64_t> YamlValue::Integer(
   }
   if (read.length != written.size() || read.kind == Read::Kind::kNone) {
     const std::string meant = WholeNumberText(written, is_right);
-    Report("P5103",
+    Report(Code::kWrongKind,
            fmt::format("expected {}, found {}", kExpected, Found(node_->node)),
            meant.empty() ? fmt::format("write it as in '{}'", example)
                          : fmt::format("write '{}'", meant),
@@ -276,7 +262,7 @@ std::optional<std::int64_t> YamlValue::Integer(
     return std::nullopt;
   }
   if (read.kind == Read::Kind::kFits && is_right(read.value)) return read.value;
-  Report("P5104",
+  Report(Code::kOutOfRange,
          low == high
              ? fmt::format("expected {}, found {}", low, written)
              : fmt::format("expected a whole number of {} to {}, found {}", low,
@@ -297,7 +283,7 @@ std::optional<std::uint64_t> YamlValue::Unsigned() const {
     ReportQuoted(expected, meant, "1");
   else
     Report(
-        "P5103",
+        Code::kWrongKind,
         fmt::format("expected {}, found {}", expected, Found(node_->node)),
         meant.empty() ? "write it as in '1'" : fmt::format("write '{}'", meant),
         meant);
@@ -313,7 +299,7 @@ std::optional<bool> YamlValue::Bool() const {
   }
   if (written == "true" || written == "True") return true;
   if (written == "false" || written == "False") return false;
-  Report("P5103",
+  Report(Code::kWrongKind,
          fmt::format("expected True or False, found {}", Found(node_->node)),
          meant.empty() ? "write 'True' or 'False'"
                        : fmt::format("write '{}'", meant),
@@ -324,7 +310,8 @@ std::optional<bool> YamlValue::Bool() const {
 void YamlValue::ReportQuoted(std::string_view expected,
                              const std::string& meant,
                              const std::string& example) const {
-  Report("P5103", fmt::format("expected {}, found a text in quotes", expected),
+  Report(Code::kWrongKind,
+         fmt::format("expected {}, found a text in quotes", expected),
          meant.empty() ? fmt::format("write it as in '{}'", example)
                        : fmt::format("write '{}', without quotes", meant),
          meant);
@@ -332,7 +319,7 @@ void YamlValue::ReportQuoted(std::string_view expected,
 
 std::optional<std::string> YamlValue::Text(std::string_view what) const {
   if (is_scalar() && !text().empty()) return text();
-  Report("P5103",
+  Report(Code::kWrongKind,
          fmt::format("expected {}, found {}", what,
                      is_scalar() ? "an empty text" : Found(node_->node)));
   return std::nullopt;
@@ -345,7 +332,7 @@ std::optional<std::size_t> YamlValue::IndexIn(
   if (found != names.end())
     return static_cast<std::size_t>(found - names.begin());
   const auto nearest = Suggest(written, names);
-  Report(is_scalar() ? "P5107" : "P5103",
+  Report(is_scalar() ? Code::kUnknownWord : Code::kWrongKind,
          fmt::format("expected {}, found {}", fmt::join(names, " or "),
                      Found(node_->node)),
          nearest ? fmt::format("did you mean '{}'?", *nearest) : "",
@@ -356,8 +343,8 @@ std::optional<std::size_t> YamlValue::IndexIn(
 std::optional<std::vector<YamlValue>> YamlValue::List(
     std::string_view what) const {
   if (!node_->node.IsSequence()) {
-    Report("P5103", fmt::format("expected a list of {}, found {}", what,
-                                Found(node_->node)));
+    Report(Code::kWrongKind, fmt::format("expected a list of {}, found {}",
+                                         what, Found(node_->node)));
     return std::nullopt;
   }
   std::vector<YamlValue> values;
@@ -369,7 +356,7 @@ std::optional<std::vector<YamlValue>> YamlValue::List(
 
 std::optional<YamlMap> YamlValue::Map(std::string_view what) const {
   if (!node_->node.IsMap()) {
-    Report("P5103",
+    Report(Code::kWrongKind,
            fmt::format("expected {}, found {}", what, Found(node_->node)));
     return std::nullopt;
   }
@@ -383,12 +370,13 @@ std::optional<YamlMap> YamlValue::Map(std::string_view what) const {
     const YAML::Node& key = pair.first;
     const YamlValue at = wrap(key);
     if (!at.is_scalar()) {
-      at.Report("P5103", fmt::format("expected a key, found {}", Found(key)));
+      at.Report(Code::kWrongKind,
+                fmt::format("expected a key, found {}", Found(key)));
       continue;
     }
     const std::string name = at.text();
     if (!names.insert(name).second)
-      at.Report("P5102", fmt::format("'{}' is given twice", name),
+      at.Report(Code::kRepeatedKey, fmt::format("'{}' is given twice", name),
                 "keep one of them");
     else
       entries.push_back({name, at, wrap(pair.second)});
@@ -460,33 +448,34 @@ void YamlMap::Close() const {
     if (place_.is_full()) return;
     // One that is there already cannot be meant.
     const auto nearest = Suggest(entry.key, free);
-    entry.at.Report("P5101", fmt::format("unknown key '{}'", entry.key),
-                    nearest
-                        ? fmt::format("did you mean '{}'?", *nearest)
-                        : fmt::format("known here: {}", fmt::join(known, ", ")),
-                    nearest.value_or(""));
+    entry.at.Report(
+        Code::kUnknownKey, fmt::format("unknown key '{}'", entry.key),
+        nearest ? fmt::format("did you mean '{}'?", *nearest)
+                : fmt::format("known here: {}", fmt::join(known, ", ")),
+        nearest.value_or(""));
     if (nearest) meant.insert(*nearest);
   }
   for (const auto& [key, help] : missing_)
     if (!meant.contains(key))
-      place_.Report("P5106", fmt::format("expected the key '{}' here", key),
-                    help);
+      place_.Report(Code::kMissingKey,
+                    fmt::format("expected the key '{}' here", key), help);
 }
 
 YamlFile::YamlFile(const Source& source)
-    : document_(std::make_shared<YamlDocument>(YamlDocument{source, {}, {}})) {
-  document_->root = ParseOne(source, document_->diagnostics);
+    : document_(std::make_shared<YamlDocument>(
+          YamlDocument{source, {}, Reporter()})) {
+  document_->root = ParseOne(source, document_->reporter);
 }
 
 std::optional<YamlMap> YamlFile::Root(std::string_view what) const {
-  if (!document_->diagnostics.empty()) return std::nullopt;
+  if (!document_->reporter.diagnostics().empty()) return std::nullopt;
   const YamlValue root(
       document_, std::make_shared<const YamlNode>(YamlNode{document_->root}));
   return root.Map(what);
 }
 
 const std::vector<Diagnostic>& YamlFile::diagnostics() const {
-  return document_->diagnostics;
+  return document_->reporter.diagnostics();
 }
 
 }  // namespace plsc

@@ -64,9 +64,9 @@ class YamlValue {
   /// Whether so many errors were found that no more are reported; a loop over
   /// what a file may have thousands of ends then.
   bool is_full() const;
-  /// Reports an error here. Code P5xxx; see yaml_reader.cc. `replacement`, if
-  /// not empty, is to be written in its place.
-  void Report(std::string_view code, std::string message, std::string help = "",
+  /// Reports an error here. `replacement`, if not empty, is to be written in
+  /// its place.
+  void Report(Code code, std::string message, std::string help = "",
               std::string replacement = "") const;
   /// Of the file, so far: who puts values together that were read one by one
   /// has nothing to say where one of them is wrong and only a default stands in

@@ -18,8 +18,7 @@ std::ptrdiff_t Errors(const std::vector<Diagnostic>& diagnostics) {
 }
 
 Diagnostic WithFixes(std::vector<Fix> fixes) {
-  Diagnostic diagnostic;
-  diagnostic.code = "P0000";
+  Diagnostic diagnostic(Code::kUnknownItem, {}, "");
   diagnostic.fixes = std::move(fixes);
   return diagnostic;
 }
@@ -107,7 +106,7 @@ TEST_CASE("What was mended is told with its place", "[apply_fixes]") {
   REQUIRE(mended.made.size() == 1);
   CHECK(mended.made[0].position.line == 4);
   CHECK(mended.made[0].position.column == 13);
-  CHECK(mended.made[0].code == "P2001");
+  CHECK(mended.made[0].code == Code::kUnknownSymbol);
   CHECK(mended.made[0].removed == "add_lef");
   CHECK(mended.made[0].replacement == "add_left");
 }
@@ -156,7 +155,7 @@ TEST_CASE("What is inserted ends its lines as the text does", "[apply_fixes]") {
 TEST_CASE("A million changes are made", "[apply_fixes]") {
   std::string text;
   for (int i = 0; i < 1'000'000; ++i) text += "a\n";
-  std::vector<Diagnostic> diagnostics(1000);
+  std::vector<Diagnostic> diagnostics(1000, WithFixes({}));
   for (std::size_t i = 0; i < diagnostics.size(); ++i)
     for (std::size_t k = 0; k < 1000; ++k) {
       const auto at = static_cast<std::uint32_t>(2 * (1000 * k + i));

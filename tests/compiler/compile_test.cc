@@ -76,7 +76,7 @@ TEST_CASE("Constants stand for arguments, thresholds and what is sensed",
   const Result<Program> wrong =
       Compile(Source("a", head + "let n = 2.0 rule B -> { move_ref_I(n, 1) }"));
   REQUIRE_FALSE(wrong);
-  CHECK(wrong.diagnostics()[0].code == "P2003");
+  CHECK(wrong.diagnostics()[0].code == Code::kNotWhole);
 }
 
 TEST_CASE("Line ends and a byte order mark make no difference", "[compile]") {

@@ -22,7 +22,8 @@ std::string CodesOf(const std::string& text) {
   const Result<Program> result = Compile(Source("a.pls", text));
   std::string codes;
   for (const Diagnostic& diagnostic : result.diagnostics())
-    codes += (codes.empty() ? "" : " ") + diagnostic.code;
+    codes +=
+        (codes.empty() ? "" : " ") + std::string(NumberOf(diagnostic.code));
   return codes;
 }
 

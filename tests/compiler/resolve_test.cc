@@ -32,7 +32,7 @@ TEST_CASE("Names become numbers, parallel to the tree", "[resolve]") {
   CHECK(resolution.entries[0]->value == 1);
   CHECK(resolution.entries[1]->value == 0);
   REQUIRE(resolution.diagnostics.size() == 1);
-  CHECK(resolution.diagnostics[0].code == "P2001");
+  CHECK(resolution.diagnostics[0].code == Code::kUnknownSymbol);
 }
 
 TEST_CASE("Values must fit the type of their state", "[resolve]") {

@@ -56,7 +56,7 @@ TEST_CASE("What is shared must fit every genotype", "[sections]") {
   const Result<std::vector<Program>> all = CompileAll(Source("zoo", kZoo));
   REQUIRE_FALSE(all);
   REQUIRE(all.diagnostics().size() == 1);
-  CHECK(all.diagnostics()[0].code == "P2015");
+  CHECK(all.diagnostics()[0].code == Code::kWrongEnvironment);
   CHECK(all.diagnostics()[0].message ==
         "environment 'cold' lacks a value for 'ground'");
 }
@@ -131,7 +131,7 @@ TEST_CASE("What is shared is not copied without end", "[sections]") {
     text += "genotype g" + std::to_string(i) + "\n";
   const auto all = CompileAll(Source("zoo", text));
   REQUIRE(all.diagnostics().size() == 1);
-  CHECK(all.diagnostics()[0].code == "P3002");
+  CHECK(all.diagnostics()[0].code == Code::kLimit);
 }
 
 }  // namespace

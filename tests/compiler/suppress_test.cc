@@ -82,7 +82,7 @@ TEST_CASE("Comments that ask for what does not exist are warned of",
       REQUIRE(program);
       REQUIRE(program.diagnostics().size() == 1);
       const Diagnostic& warning = program.diagnostics()[0];
-      CHECK(warning.code == "W1001");
+      CHECK(warning.code == Code::kWrongAllow);
       CHECK(warning.severity == Severity::kWarning);
       CHECK(warning.message == row.message);
       CHECK(warning.help == row.help);

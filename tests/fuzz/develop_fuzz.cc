@@ -201,9 +201,9 @@ void LintAll(const std::vector<plsc::MappedProgram>& programs,
   }
   const auto warnings = plsc::Lint(programs, source);
   plsc::fuzz::RequireSound(warnings, source);
-  const bool is_warned =
-      std::any_of(warnings.begin(), warnings.end(),
-                  [](const auto& w) { return w.code == "W4001"; });
+  const bool is_warned = std::any_of(
+      warnings.begin(), warnings.end(),
+      [](const auto& w) { return w.code == plsc::Code::kMayGrowTooLong; });
   const bool is_silenced =
       source.text().find("allow") != std::string_view::npos;
   Require(is_warned == is_refused || (is_silenced && !is_warned),

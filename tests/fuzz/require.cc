@@ -31,9 +31,10 @@ Source AsSource(const std::uint8_t* data, std::size_t size) {
 void RequireSound(const std::vector<Diagnostic>& diagnostics,
                   const Source& source) {
   for (const Diagnostic& diagnostic : diagnostics) {
-    Require(diagnostic.code.size() == 5 && diagnostic.code != "P1199",
+    Require(diagnostic.code != Code::kParserDefect,
             "a diagnostic has a code that users may see");
-    Require(diagnostic.code != "P5090", "the formatter found its own defect");
+    Require(diagnostic.code != Code::kFormatterDefect,
+            "the formatter found its own defect");
     Require(!diagnostic.message.empty(), "a diagnostic says what is wrong");
     Require(IsInside(diagnostic.span, source),
             "a diagnostic is about a place of the text");

@@ -27,7 +27,7 @@ TEST_CASE("A failure leaves the item with one diagnostic", "[builder]") {
   Builder b;
   b.file.text = "nonsense";
   CHECK_THROWS_AS(b.Fail(SyntaxError::kItem, 0), SyntaxFailure);
-  CHECK(b.diagnostics.size() == 1);
+  CHECK(b.reporter.diagnostics().size() == 1);
   CHECK(b.file.is_incomplete);
 }
 
@@ -35,14 +35,14 @@ TEST_CASE("A number too small for a double says so", "[builder]") {
   Builder b;
   b.file.text = "1e-400 0.0e-400 1e400";
   b.TakeNumber({0, 6});
-  REQUIRE(b.diagnostics.size() == 1);
-  CHECK(b.diagnostics[0].label == "smallest magnitude is 5e-324");
+  REQUIRE(b.reporter.diagnostics().size() == 1);
+  CHECK(b.reporter.diagnostics()[0].label == "smallest magnitude is 5e-324");
   b.TakeNumber({7, 15});
-  CHECK(b.diagnostics.size() == 1);
+  CHECK(b.reporter.diagnostics().size() == 1);
   CHECK(b.value.number == 0);
   b.TakeNumber({16, 21});
-  REQUIRE(b.diagnostics.size() == 2);
-  CHECK(b.diagnostics[1].label ==
+  REQUIRE(b.reporter.diagnostics().size() == 2);
+  CHECK(b.reporter.diagnostics()[1].label ==
         "largest magnitude is 1.7976931348623157e308");
 }
 

@@ -20,7 +20,7 @@ TEST_CASE("All foreign words of a clause are corrected at once",
   const auto found = DescribeForeign(SyntaxError::kComparison,
                                      At("a == true && b = FALSE {", 2));
   REQUIRE(found);
-  CHECK(found->code == "P1104");
+  CHECK(found->code == Code::kForeignNotation);
   REQUIRE(found->fixes.size() == 4);
   CHECK(found->fixes[0].replacement == "=");
   CHECK(found->fixes[1].replacement == "True");

@@ -6,11 +6,7 @@ namespace plsc {
 namespace {
 
 Diagnostic At(Span span, std::string message) {
-  Diagnostic diagnostic;
-  diagnostic.code = "P0000";
-  diagnostic.span = span;
-  diagnostic.message = std::move(message);
-  return diagnostic;
+  return {Code::kUnknownItem, span, std::move(message)};
 }
 
 TEST_CASE("A diagnostic shows its line, a caret and all it has to say",
@@ -22,7 +18,7 @@ TEST_CASE("A diagnostic shows its line, a caret and all it has to say",
   diagnostic.notes.emplace_back("a note");
   diagnostic.help = "what to do";
   CHECK(Render(diagnostic, source) ==
-        "error[P0000]: something is wrong\n"
+        "error[P1101]: something is wrong\n"
         " --> a.pls:2:8\n"
         "2 | second line\n"
         "  |        ^^^^ this\n"
@@ -117,8 +113,8 @@ TEST_CASE("Colour changes nothing but the colour", "[diagnostic]") {
     CHECK(plain.find('\033') == std::string::npos);
     std::string colored = Render(diagnostic, source, true);
     CHECK(colored.find(severity == Severity::kError
-                           ? "\033[1;31merror[P0000]\033[0m"
-                           : "\033[1;33mwarning[P0000]\033[0m") == 0);
+                           ? "\033[1;31merror[P1101]\033[0m"
+                           : "\033[1;33mwarning[P1101]\033[0m") == 0);
     for (std::size_t at = 0; (at = colored.find('\033')) != std::string::npos;)
       colored.erase(at, colored.find('m', at) - at + 1);
     CHECK(colored == plain);
@@ -148,7 +144,7 @@ TEST_CASE("A place alone is shown like that of a diagnostic", "[diagnostic]") {
   const Source source("a.pls", "first line\nsecond line\n");
   Diagnostic diagnostic = At({18, 22}, "something is wrong");
   diagnostic.label = "this";
-  CHECK("error[P0000]: something is wrong\n" +
+  CHECK("error[P1101]: something is wrong\n" +
             RenderPlace({18, 22}, "this", source) ==
         Render(diagnostic, source));
 }

@@ -89,8 +89,8 @@ std::string Dump(const Builder& b) {
   for (const ast::Environment& e : file.environments)
     out << e.name << e.open << e.close << e.entries << '\n';
   DumpPools(file, out);
-  for (const Diagnostic& d : b.diagnostics)
-    out << '\n' << d.span << d.code << d.message << d.label << d.help;
+  for (const Diagnostic& d : b.reporter.diagnostics())
+    out << '\n' << d.span << NumberOf(d.code) << d.message << d.label << d.help;
   return out.str();
 }
 

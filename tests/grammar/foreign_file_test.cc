@@ -39,9 +39,9 @@ TEST_CASE("Genotypes of Revolve are recognised, those of plsc are not",
       const auto found = DescribeForeignFile(row.text);
       REQUIRE(found.has_value() == row.is_foreign);
       if (!found) continue;
-      CHECK(found->code == "P5012");
+      CHECK(found->code == Code::kAuthorsGenotype);
       CHECK(found->message.find("Revolve") != std::string::npos);
-      CHECK(Screen(Source("a", row.text))->code == "P5012");
+      CHECK(Screen(Source("a", row.text))->code == Code::kAuthorsGenotype);
     }
   }
 }

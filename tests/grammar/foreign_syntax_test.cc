@@ -62,7 +62,7 @@ TEST_CASE("Characters that look right are named with their code and mended",
     DYNAMIC_SECTION(row.why) {
       const std::string text = "plsc 1\n" + row.wrong + "\n";
       const Diagnostic found = FirstOf(text);
-      CHECK(found.code == "P1119");
+      CHECK(found.code == Code::kLookalike);
       CHECK(found.message.find(row.named) != std::string::npos);
       CHECK(Mended(text, found) == "plsc 1\n" + row.right + "\n");
     }
@@ -131,7 +131,7 @@ TEST_CASE("Ways of other languages get the help that they need",
       const std::string text = "plsc 1\n" + row.wrong + "\n";
       const Diagnostic found = FirstOf(text);
       INFO(Render(found, Source("a.pls", text)));
-      CHECK(found.code == row.code);
+      CHECK(NumberOf(found.code) == row.code);
       CHECK((found.label + found.help).find(row.told) != std::string::npos);
       CHECK(found.fixes.empty() == (row.mended[0] == '\0'));
       if (!found.fixes.empty())

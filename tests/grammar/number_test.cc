@@ -91,6 +91,8 @@ TEST_CASE("The shortest text is printed, and where it has an exponent",
     CHECK(PrintNumber(one.value) == one.shortest);
     CHECK(PrintPlainNumber(one.value) == one.plain);
   }
+  CHECK(PrintRoundedNumber(0.055499999999999994, 15) == "0.0555");
+  CHECK(PrintRoundedNumber(123456789, 6) == "1.23457e+08");
   std::string text = "x = ";
   AppendNumber(2.5, &text);
   CHECK(text == "x = 2.5");

@@ -9,7 +9,8 @@ namespace {
 std::string Codes(const ParseResult& result) {
   std::string codes;
   for (const Diagnostic& diagnostic : result.diagnostics)
-    codes += (codes.empty() ? "" : " ") + diagnostic.code;
+    codes +=
+        (codes.empty() ? "" : " ") + std::string(NumberOf(diagnostic.code));
   return codes;
 }
 

@@ -39,7 +39,7 @@ TEST_CASE("What is not a genotype text is named", "[screen]") {
       const auto found = Screen(Source("a", row.text));
       REQUIRE(found.has_value() == (row.code != nullptr));
       if (!found) continue;
-      CHECK(found->code == row.code);
+      CHECK(NumberOf(found->code) == row.code);
       CHECK(found->span.begin == row.offset);
     }
   }

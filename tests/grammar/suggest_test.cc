@@ -58,5 +58,19 @@ TEST_CASE("Only a word that is near is suggested", "[suggest]") {
   }
 }
 
+TEST_CASE("A suggestion is a label and a fix of what stands there",
+          "[suggest]") {
+  static constexpr std::string_view kWords[] = {"axiom", "alphabet"};
+  Diagnostic diagnostic(Code::kUnknownItem, {3, 8}, "m");
+  CHECK_FALSE(AddSuggestion("zzzzzz", kWords, &diagnostic));
+  CHECK(diagnostic.label.empty());
+  CHECK(diagnostic.fixes.empty());
+  CHECK(AddSuggestion("axium", kWords, &diagnostic));
+  CHECK(diagnostic.label == "did you mean 'axiom'?");
+  REQUIRE(diagnostic.fixes.size() == 1);
+  CHECK(diagnostic.fixes[0].span == Span{3, 8});
+  CHECK(diagnostic.fixes[0].replacement == "axiom");
+}
+
 }  // namespace
 }  // namespace plsc

@@ -21,7 +21,7 @@ TEST_CASE("Every syntax error has a code, a message and a place",
         if (offset == 0 && error == SyntaxError::kDigits) continue;
         const Diagnostic found = DescribeSyntaxError(error, context);
         CAPTURE(text, i, offset);
-        CHECK(found.code.size() == 5);
+        CHECK(NumberOf(found.code).size() == 5);
         CHECK_FALSE(found.message.empty());
         CHECK(found.span.begin <= found.span.end);
         CHECK(found.span.end <= text.size());
@@ -62,7 +62,7 @@ TEST_CASE("A version that is no whole number is named as it stands",
     const Diagnostic found =
         DescribeSyntaxError(SyntaxError::kVersionNumber, context);
     CAPTURE(row.text, found.message);
-    CHECK(found.code == "P5001");
+    CHECK(found.code == Code::kMissingVersion);
     CHECK(found.message.starts_with(row.message));
     CHECK(found.fixes.size() == row.fixes);
   }

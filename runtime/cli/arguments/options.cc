@@ -121,11 +121,14 @@ Option Options::AddChoice(const char* names, std::function<void(int)> take,
                           const std::string& help,
                           const std::map<std::string, int>& words,
                           const std::string& value_name) {
+  // Its own description has the numbers behind the words.
+  CLI::CheckedTransformer numbers(words);
+  numbers.description("");
   return Option(app_->add_option_function<int>(
                         names,
                         [take = std::move(take)](int number) { take(number); },
                         help)
-                    ->transform(CLI::CheckedTransformer(words))
+                    ->transform(numbers)
                     ->type_name(value_name)
                     ->option_text(value_name));
 }

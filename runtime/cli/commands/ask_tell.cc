@@ -95,7 +95,8 @@ std::string FailureAnswer(const std::string& id, std::size_t line,
     all += DiagnosticJson(diagnostic, source);
   }
   const Diagnostic& first = diagnostics.front();
-  return Failure(id, line, fmt::format("{}: {}", first.code, first.message),
+  return Failure(id, line,
+                 fmt::format("{}: {}", NumberOf(first.code), first.message),
                  all);
 }
 

@@ -119,11 +119,11 @@ void CheckGenotype(const Source& source, const CheckCommand& command,
 }
 
 void RefuseStore(const Source& source, FileCheck& check) {
-  Diagnostic problem;
-  problem.code = "P5016";
-  problem.message = "this is the store of a run, no text";
-  problem.help = fmt::format("look at it with 'plsc show {}'", source.name());
-  check.findings.push_back({Source(source.name(), ""), {std::move(problem)}});
+  check.findings.push_back(
+      {Source(source.name(), ""),
+       {Diagnostic(Code::kNotText, {}, "this is the store of a run, no text")
+            .WithHelp(fmt::format("look at it with 'plsc show {}'",
+                                  source.name()))}});
 }
 
 }  // namespace

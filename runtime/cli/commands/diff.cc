@@ -64,8 +64,10 @@ std::optional<Version> ReadVersion(const std::string& path,
     return program.genotype.name != version.chosen;
   });
   if (!version.programs.empty()) return version;
-  io.err << fmt::format("error[P2019]: {} has no genotype '{}'\n",
-                        Escaped(from.file), version.chosen);
+  io.err << RenderWithoutLine(
+      {Code::kSeveralGenotypes,
+       {},
+       fmt::format("{} has no genotype '{}'", from.file, version.chosen)});
   return std::nullopt;
 }
 

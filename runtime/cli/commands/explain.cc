@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <ostream>
 
 #include "grammar/codes.h"
@@ -25,14 +26,14 @@ std::string Indented(std::string_view text) {
 
 std::string Text(const Explanation& explanation) {
   return fmt::format("{}: {}\n\n{}\nWrong:\n\n{}\nMended:\n\n{}",
-                     explanation.code, MeaningOf(explanation.code),
+                     NumberOf(explanation.code), MeaningOf(explanation.code),
                      explanation.text, Indented(explanation.wrong),
                      Indented(explanation.mended));
 }
 
 std::string Json(const Explanation& explanation) {
   nlohmann::ordered_json json;
-  json["code"] = explanation.code;
+  json["code"] = NumberOf(explanation.code);
   json["meaning"] = MeaningOf(explanation.code);
   json["explanation"] = explanation.text;
   json["wrong"] = explanation.wrong;
@@ -45,14 +46,14 @@ Exit List(OutputFormat format, Io& io) {
     if (format == OutputFormat::kJson)
       io.out << Json(explanation);
     else
-      io.out << fmt::format("{}  {}\n", explanation.code,
+      io.out << fmt::format("{}  {}\n", NumberOf(explanation.code),
                             MeaningOf(explanation.code));
   }
   return Exit::kFine;
 }
 
 // "p2001" and "error[P2001]" are what people type and paste.
-std::string CodeIn(const std::string& written) {
+std::string NumberIn(const std::string& written) {
   const std::size_t open = written.find('[');
   std::string code =
       open == std::string::npos ? written : written.substr(open + 1, 5);
@@ -69,12 +70,13 @@ Exit Run(const ExplainCommand& command, Io& io) {
     io.err << "plsc: expected a code, as in 'plsc explain P2001', or --list\n";
     return Exit::kBadUsage;
   }
-  const std::string code = CodeIn(command.code);
-  const Explanation* explanation = FindExplanation(code);
+  const std::string number = NumberIn(command.code);
+  const std::optional<Code> code = FindCode(number);
+  const Explanation* explanation = code ? FindExplanation(*code) : nullptr;
   if (explanation == nullptr) {
     std::vector<std::string_view> known;
-    for (const CodeInfo& info : DiagnosticCodes()) known.push_back(info.code);
-    const auto near = Suggest(code, known);
+    for (const CodeInfo& info : DiagnosticCodes()) known.push_back(info.number);
+    const auto near = Suggest(number, known);
     io.err << fmt::format("plsc: there is no code '{}'{}\n", command.code,
                           near ? "; did you mean '" + *near + "'?" : "")
            << "see 'plsc explain --list'\n";

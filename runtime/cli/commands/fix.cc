@@ -30,12 +30,6 @@ std::string Describe(const MadeFix& fix) {
   return Quoted(fix.removed) + " -> " + Quoted(fix.replacement) + note;
 }
 
-bool HasErrors(const std::vector<Diagnostic>& diagnostics) {
-  return std::any_of(
-      diagnostics.begin(), diagnostics.end(),
-      [](const Diagnostic& d) { return d.severity == Severity::kError; });
-}
-
 // Whether files stay as they are.
 bool IsDryRun(const FixCommand& command) {
   return command.check || command.diff;
@@ -66,8 +60,8 @@ bool FixOne(const std::string& file, const FixCommand& command, Io& io) {
   for (const MadeFix& fix : mended.made)
     io.err << fmt::format("{}:{}:{}: {} [{}]: {}\n", Escaped(source->name()),
                           fix.position.line, fix.position.column,
-                          IsDryRun(command) ? "would fix" : "fixed", fix.code,
-                          Describe(fix));
+                          IsDryRun(command) ? "would fix" : "fixed",
+                          NumberOf(fix.code), Describe(fix));
   // The places are then of a text that nobody has on disk.
   const bool is_elsewhere = IsDryRun(command) && !mended.made.empty();
   const std::string shown_name =

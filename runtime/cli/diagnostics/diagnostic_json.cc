@@ -24,7 +24,7 @@ std::string DiagnosticJson(const Diagnostic& diagnostic, const Source& source) {
   Json json;
   json["severity"] =
       diagnostic.severity == Severity::kError ? "error" : "warning";
-  json["code"] = diagnostic.code;
+  json["code"] = NumberOf(diagnostic.code);
   json["message"] = diagnostic.message;
   json["label"] = diagnostic.label;
   json["file"] = source.name();

@@ -60,8 +60,7 @@ std::string GithubAnnotation(const Diagnostic& diagnostic,
                   Property(source.name()), begin.line, begin.column, end.line);
   // Columns only mean something to GitHub within one line.
   if (begin.line == end.line) text += fmt::format(",endColumn={}", end.column);
-  const std::string title = diagnostic.code.empty() ? "plsc" : diagnostic.code;
-  return text + fmt::format(",title={}::{}", Property(title),
+  return text + fmt::format(",title={}::{}", NumberOf(diagnostic.code),
                             Data(MessageOf(diagnostic)));
 }
 

@@ -21,7 +21,7 @@ constexpr const char* kSchema =
     "sarif-schema-2.1.0.json";
 
 // Codes and where each stands in the list of rules.
-using RuleIndex = std::map<std::string, std::size_t>;
+using RuleIndex = std::map<Code, std::size_t>;
 
 const char* LevelOf(Severity severity) {
   return severity == Severity::kError ? "error" : "warning";
@@ -91,7 +91,7 @@ Json ResultOf(const Diagnostic& diagnostic, const Source& source,
   Json result;
   const auto rule = rules.find(diagnostic.code);
   if (rule != rules.end()) {
-    result["ruleId"] = rule->first;
+    result["ruleId"] = NumberOf(rule->first);
     result["ruleIndex"] = rule->second;
   }
   result["level"] = LevelOf(diagnostic.severity);
@@ -110,9 +110,9 @@ Json ResultOf(const Diagnostic& diagnostic, const Source& source,
   return result;
 }
 
-Json RuleOf(const std::string& code) {
+Json RuleOf(Code code) {
   Json rule;
-  rule["id"] = code;
+  rule["id"] = NumberOf(code);
   rule["shortDescription"]["text"] = MeaningOf(code);
   if (const Explanation* explanation = FindExplanation(code)) {
     rule["fullDescription"]["text"] = explanation->text;
@@ -121,7 +121,7 @@ Json RuleOf(const std::string& code) {
                     explanation->wrong, explanation->mended);
   }
   rule["defaultConfiguration"]["level"] =
-      code.starts_with('W') ? "warning" : "error";
+      NumberOf(code).starts_with('W') ? "warning" : "error";
   return rule;
 }
 
@@ -131,7 +131,7 @@ std::string Sarif(const std::vector<CheckedFile>& files) {
   RuleIndex rules;
   for (const CheckedFile& file : files)
     for (const Diagnostic& diagnostic : file.diagnostics)
-      if (!MeaningOf(diagnostic.code).empty()) rules[diagnostic.code] = 0;
+      rules[diagnostic.code] = 0;
   Json driver;
   driver["name"] = "plsc";
   driver["version"] = kVersion;

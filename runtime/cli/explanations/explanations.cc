@@ -17,7 +17,7 @@ std::vector<Explanation> Explanations() {
   return all;
 }
 
-const Explanation* FindExplanation(std::string_view code) {
+const Explanation* FindExplanation(Code code) {
   static const std::vector<Explanation> all = Explanations();
   const auto found =
       std::find_if(all.begin(), all.end(),

@@ -10,6 +10,8 @@
 #include <string_view>
 #include <vector>
 
+#include "grammar/codes.h"
+
 namespace plsc::cli {
 
 /// What an example is, and so which stage gives its code.
@@ -25,7 +27,7 @@ enum class ExampleKind : std::uint8_t {
 };
 
 struct Explanation {
-  std::string_view code;
+  Code code;
   ExampleKind kind = ExampleKind::kGenotype;
   std::string_view text;    ///< lines of at most 80 characters
   std::string_view wrong;   ///< gives the code
@@ -36,7 +38,7 @@ struct Explanation {
 std::vector<Explanation> Explanations();
 
 /// nullptr when there is none.
-const Explanation* FindExplanation(std::string_view code);
+const Explanation* FindExplanation(Code code);
 
 // The tables.
 std::span<const Explanation> SyntaxExplanations();      ///< P11

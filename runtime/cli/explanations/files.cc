@@ -7,7 +7,7 @@ namespace plsc::cli {
 namespace {
 
 constexpr Explanation kRows[] = {
-    {"P5001", ExampleKind::kGenotype,
+    {Code::kMissingVersion, ExampleKind::kGenotype,
      R"(A genotype file starts with the language that it is written in: 'plsc
 1'. The version is a whole number.
 )",
@@ -16,7 +16,7 @@ constexpr Explanation kRows[] = {
      R"(plsc 1
 alphabet plasticoding 1
 )"},
-    {"P5002", ExampleKind::kGenotype,
+    {Code::kNewerVersion, ExampleKind::kGenotype,
      R"(The file is written in a newer language than this program reads. Its
 rules are not guessed at: use a newer plsc.
 )",
@@ -26,7 +26,7 @@ alphabet plasticoding 1
      R"(plsc 1
 alphabet plasticoding 1
 )"},
-    {"P5003", ExampleKind::kGenotype,
+    {Code::kUnknownAlphabetVersion, ExampleKind::kGenotype,
      R"(The file asks for a version of the built-in alphabet that this program
 does not have.
 )",
@@ -36,7 +36,7 @@ alphabet plasticoding 2
      R"(plsc 1
 alphabet plasticoding 1
 )"},
-    {"P5010", ExampleKind::kGenotype,
+    {Code::kMergeConflict, ExampleKind::kGenotype,
      R"(git could not merge two versions of the file and left its markers in it.
 Choose between the two sides and remove the markers.
 )",
@@ -52,7 +52,7 @@ iterations 4
 alphabet plasticoding 1
 iterations 4
 )"},
-    {"P5011", ExampleKind::kCommand,
+    {Code::kNotUtf8, ExampleKind::kCommand,
      R"(The file is not UTF-8: it is UTF-16, or has letters of another encoding,
 often in a comment. Save it as UTF-8, or convert it with iconv.
 )",
@@ -60,7 +60,7 @@ often in a comment. Save it as UTF-8, or convert it with iconv.
 )",
      R"(plsc check robot.pls
 )"},
-    {"P5012", ExampleKind::kGenotype,
+    {Code::kAuthorsGenotype, ExampleKind::kGenotype,
      R"(The file is a genotype as Revolve, the authors' program, writes it:
 Python, or lines of its own tokens. 'plsc import' translates it, rule by
 rule. Revolve's joint AJ1 is the paper's A2 and AJ2 is A1; their
@@ -75,14 +75,14 @@ alphabet plasticoding 1
 rule C -> { C add_front B move_front }
 rule B -> { B add_left T(0.5) }
 )"},
-    {"P5013", ExampleKind::kCommand,
+    {Code::kEmptyFile, ExampleKind::kCommand,
      R"(The file has nothing in it, or only blanks.
 )",
      R"(plsc check empty.pls
 )",
      R"(plsc check robot.pls
 )"},
-    {"P5014", ExampleKind::kCommand,
+    {Code::kUnreadableFile, ExampleKind::kCommand,
      R"(The file cannot be read; the message has the system's reason. '-' is
 standard input.
 )",
@@ -90,7 +90,7 @@ standard input.
 )",
      R"(plsc check robot.pls
 )"},
-    {"P5015", ExampleKind::kCommand,
+    {Code::kTooLargeFile, ExampleKind::kCommand,
      R"(Genotypes have some kilobytes. Files of more than 16 MiB are refused
 before they are parsed: they are something else.
 )",
@@ -98,7 +98,7 @@ before they are parsed: they are something else.
 )",
      R"(plsc check robot.pls
 )"},
-    {"P5016", ExampleKind::kCommand,
+    {Code::kNotText, ExampleKind::kCommand,
      R"(The file has zero bytes and so is no text: an image, an archive, a
 program.
 )",

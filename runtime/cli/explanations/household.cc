@@ -7,7 +7,7 @@ namespace plsc::cli {
 namespace {
 
 constexpr Explanation kRows[] = {
-    {"P4003", ExampleKind::kTrim,
+    {Code::kTooManyEnvironments, ExampleKind::kTrim,
      R"('plsc trim' develops the robot of every environment that the clauses tell
 apart, before and after, and here there are too many (more than 65,536, or
 too many rules for that number). Clauses that ask about fewer states, or
@@ -42,7 +42,7 @@ rule C -> if a = True and b = True
 then { C add_left B }
 rule C -> { C }
 )"},
-    {"P5200", ExampleKind::kImport,
+    {Code::kNotAuthors, ExampleKind::kImport,
      R"(A genotype of Revolve, the authors' program, that 'plsc import' cannot
 read: a bracket, a name or a number is not where Revolve writes it, or a
 letter has two rules. Also a genotype of plsc for which Revolve has no
@@ -52,7 +52,7 @@ words: an alphabet of its own, states that are not True or False.
 )",
      R"({<Alphabet.BLOCK: 'B'>: [[<Alphabet.SENSOR: 'ST'>, [0.5]]]}
 )"},
-    {"W5200", ExampleKind::kImport,
+    {Code::kLost, ExampleKind::kImport,
      R"(What is lost between plsc and Revolve, the authors' program: numbers that
 were rounded when they were written, an empty rule, a last symbol that
 Revolve itself would drop (it wants a blank behind it), symbols that it

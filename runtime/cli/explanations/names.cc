@@ -7,7 +7,7 @@ namespace plsc::cli {
 namespace {
 
 constexpr Explanation kRows[] = {
-    {"P2001", ExampleKind::kGenotype,
+    {Code::kUnknownSymbol, ExampleKind::kGenotype,
      R"(The alphabet of the file has no such symbol. The names of 'plasticoding
 1' are those of the paper's Table 1 and distinguish capital and small
 letters; the authors' program calls some of them otherwise (its AJ1 is
@@ -21,7 +21,7 @@ rule B -> { add_lef T(0.5) }
 alphabet plasticoding 1
 rule B -> { add_left T(0.5) }
 )"},
-    {"P2002", ExampleKind::kGenotype,
+    {Code::kArgumentCount, ExampleKind::kGenotype,
      R"(A symbol has more or fewer arguments than the alphabet gives it
 parameters.
 )",
@@ -33,7 +33,7 @@ rule B -> { A1(0.1, 2.0, 3.0) }
 alphabet plasticoding 1
 rule B -> { A1(0.1, 2.0, 3.0, 4.0) }
 )"},
-    {"P2003", ExampleKind::kGenotype,
+    {Code::kNotWhole, ExampleKind::kGenotype,
      R"(The parameter counts something, and so its argument is a whole number,
 written without point and exponent, at most 2^53.
 )",
@@ -45,7 +45,7 @@ rule B -> { move_ref_I(1.5, 2) }
 alphabet plasticoding 1
 rule B -> { move_ref_I(1, 2) }
 )"},
-    {"P2004", ExampleKind::kGenotype,
+    {Code::kArgumentRange, ExampleKind::kGenotype,
      R"(An argument lies outside the range of its parameter. With --allow-range
 it is a warning, for robots of other programs that kept to other ranges.
 )",
@@ -57,7 +57,7 @@ rule B -> { T(1.5) }
 alphabet plasticoding 1
 rule B -> { T(1) }
 )"},
-    {"P2005", ExampleKind::kGenotype,
+    {Code::kUnknownState, ExampleKind::kGenotype,
      R"(A clause or an environment names a state that no 'sense' item declares.
 )",
      R"(plsc 1
@@ -70,7 +70,7 @@ alphabet plasticoding 1
 sense hot: bool
 rule B -> if hot = True then { T(0.5) }
 )"},
-    {"P2006", ExampleKind::kGenotype,
+    {Code::kValueType, ExampleKind::kGenotype,
      R"(A state is compared with a value of another type, or by an order that it
 does not have: '<' and its kin are for real states only.
 )",
@@ -84,7 +84,7 @@ alphabet plasticoding 1
 sense warmth: real in 0..50
 rule B -> if warmth > 30 then { T(0.5) }
 )"},
-    {"P2007", ExampleKind::kGenotype,
+    {Code::kNotReplaceable, ExampleKind::kGenotype,
      R"(Only replaceable symbols have rules. Commands, and terminals of an
 alphabet of your own, stay as they are in every rewriting.
 )",
@@ -96,7 +96,7 @@ rule add_left -> { B }
 alphabet plasticoding 1
 rule B -> { add_left B }
 )"},
-    {"P2008", ExampleKind::kGenotype,
+    {Code::kMisplacedCore, ExampleKind::kGenotype,
      R"(A robot has exactly one core. Therefore each rule for C starts with C,
 and C stands nowhere else.
 )",
@@ -108,7 +108,7 @@ rule C -> { add_left B }
 alphabet plasticoding 1
 rule C -> { C add_left B }
 )"},
-    {"P2009", ExampleKind::kGenotype,
+    {Code::kUnknownConstant, ExampleKind::kGenotype,
      R"(An argument or a value is a name, and no 'let' item declares it.
 )",
      R"(plsc 1
@@ -121,7 +121,7 @@ alphabet plasticoding 1
 let weight = 0.5
 rule B -> { T(weight) }
 )"},
-    {"P2010", ExampleKind::kGenotype,
+    {Code::kUnknownAlphabet, ExampleKind::kGenotype,
      R"(The alphabet is not built in and has no body, or is built in and has
 one. An alphabet of your own has a name of its own.
 )",
@@ -131,7 +131,7 @@ alphabet plasticodng 1
      R"(plsc 1
 alphabet plasticoding 1
 )"},
-    {"P2011", ExampleKind::kGenotype,
+    {Code::kWrongAxiom, ExampleKind::kGenotype,
      R"(Development starts from the axiom: a symbol without parameters, and with
 'plasticoding' always the core C.
 )",
@@ -143,7 +143,7 @@ axiom B
 alphabet plasticoding 1
 axiom C
 )"},
-    {"P2012", ExampleKind::kGenotype,
+    {Code::kMissingItem, ExampleKind::kGenotype,
      R"(Every file says its alphabet; one with an alphabet of its own also says
 its axiom, for nobody could guess it.
 )",
@@ -154,7 +154,7 @@ rule B -> { T(0.5) }
 alphabet plasticoding 1
 rule B -> { T(0.5) }
 )"},
-    {"P2013", ExampleKind::kGenotype,
+    {Code::kRepeatedItem, ExampleKind::kGenotype,
      R"(genotype, alphabet, axiom and each setting stand once in a file.
 )",
      R"(plsc 1
@@ -166,7 +166,7 @@ iterations 4
 alphabet plasticoding 1
 iterations 3
 )"},
-    {"P2014", ExampleKind::kGenotype,
+    {Code::kWrongSetting, ExampleKind::kGenotype,
      R"(The value of a setting has the wrong type or is out of range: iterations
 0..100, max_modules, max_terms and max_rules 1..1000, move_to_new True
 or False.
@@ -179,7 +179,7 @@ max_modules 0
 alphabet plasticoding 1
 max_modules 15
 )"},
-    {"P2015", ExampleKind::kGenotype,
+    {Code::kWrongEnvironment, ExampleKind::kGenotype,
      R"(An environment gives every declared state exactly one value, within the
 range of the state. There is no default: what a robot senses decides
 what it becomes.
@@ -194,7 +194,7 @@ alphabet plasticoding 1
 sense hot: bool
 environment summer { hot = True }
 )"},
-    {"P2016", ExampleKind::kGenotype,
+    {Code::kWrongState, ExampleKind::kGenotype,
      R"(A state needs at least two values, all different, or a range from less
 to more. What cannot change need not be sensed.
 )",
@@ -206,7 +206,7 @@ sense ground: { dry }
 alphabet plasticoding 1
 sense ground: { dry, wet }
 )"},
-    {"P2017", ExampleKind::kGenotype,
+    {Code::kRepeatedName, ExampleKind::kGenotype,
      R"(The name is declared already in the same world: symbols, parameters of a
 symbol, states, constants and environments are worlds of their own.
 )",
@@ -220,7 +220,7 @@ alphabet plasticoding 1
 let w = 0.5
 let v = 0.6
 )"},
-    {"P2018", ExampleKind::kGenotype,
+    {Code::kWrongParameters, ExampleKind::kGenotype,
      R"(A symbol of your own alphabet has at most four parameters. Their ranges
 go from less to more, and those of an int have whole numbers.
 )",
@@ -232,7 +232,7 @@ axiom X
 alphabet mine { replaceable X; terminal turn(a: real in 1..9) }
 axiom X
 )"},
-    {"P2019", ExampleKind::kGenotype,
+    {Code::kSeveralGenotypes, ExampleKind::kGenotype,
      R"(The file holds several genotypes, and the command is about one. Say which
 with its name behind a '#': plsc develop zoo.pls#snake. 'plsc check',
 'fmt', 'lint', 'fix' and 'test' take the whole file.
@@ -249,7 +249,7 @@ alphabet plasticoding 1
 genotype snake
 rule C -> { C add_front B }
 )"},
-    {"P2020", ExampleKind::kGenotype,
+    {Code::kWrongTest, ExampleKind::kGenotype,
      R"(A 'test' item says in which of the file's environments it develops the
 genotype, unless nothing is sensed; 'after' asks for the string after
 fewer rewritings than 'iterations'.
@@ -268,7 +268,7 @@ environment summer { hot = True }
 rule C -> if hot = True then { C add_left B }
 test grows in summer -> body C { left B }
 )"},
-    {"P2021", ExampleKind::kGenotype,
+    {Code::kImpossibleBody, ExampleKind::kGenotype,
      R"(An expected body starts with the one core, C. In braces behind a module
 stand the modules at its faces: front, left and right of C and B, back of
 C, front of the joints A1 and A2, none of the sensor T.

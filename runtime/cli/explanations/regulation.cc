@@ -7,7 +7,7 @@ namespace plsc::cli {
 namespace {
 
 constexpr Explanation kRows[] = {
-    {"P3001", ExampleKind::kGenotype,
+    {Code::kOwnLimit, ExampleKind::kGenotype,
      R"(max_terms and max_rules are promises of the file, here not kept: a
 clause has more terms, or a symbol more rules, than they allow.
 )",
@@ -25,7 +25,7 @@ max_rules 2
 rule B -> if hot = True then { T(0.5) }
 rule B -> if hot = False then { T(0.1) }
 )"},
-    {"P3002", ExampleKind::kCommand,
+    {Code::kLimit, ExampleKind::kCommand,
      R"(A genotype has at most 65534 rules and 1000 states; a state has at most
 1000 values, an alphabet at most 1000 symbols, a file at most 1000
 constants, and an expected body at most 100 modules from the core outward.
@@ -35,7 +35,7 @@ No robot comes near; a file that does was written by a program gone wrong.
 )",
      R"(plsc check robot.pls
 )"},
-    {"P4001", ExampleKind::kDevelop,
+    {Code::kTooLongString, ExampleKind::kDevelop,
      R"(Each rewriting replaces every symbol that has an active rule, and so the
 string grows exponentially with 'iterations'. Beyond about a million
 symbols development is given up. Lower 'iterations', or let rules write
@@ -53,7 +53,7 @@ iterations 3
 rule C -> { C B }
 rule B -> { B B }
 )"},
-    {"P4002", ExampleKind::kTest,
+    {Code::kFailedTest, ExampleKind::kTest,
      R"(A 'test' item expects another string or body than what develops. The
 caret is at the first symbol or module that is otherwise, and the note
 has all that developed. Arguments that the test leaves out may be any.
@@ -70,7 +70,7 @@ iterations 1
 rule C -> { C add_left T(0.5) }
 test grows -> { C add_left T }
 )"},
-    {"W1001", ExampleKind::kGenotype,
+    {Code::kWrongAllow, ExampleKind::kGenotype,
      R"(A comment that begins with "plsc:" speaks to the compiler: "allow CODE"
 or "allow-file CODE", with the code of a warning. This one asks for what
 does not exist.
@@ -85,7 +85,7 @@ rule C -> { C }
 alphabet plasticoding 1
 rule C -> { C }
 )"},
-    {"W2005", ExampleKind::kCommand,
+    {Code::kUnsensedState, ExampleKind::kCommand,
      R"(An environment on the command line gives a value to a state that the
 genotype does not declare. The value is ignored: an environment may have
 more to it than one robot senses. Often the name is misspelt.
@@ -94,7 +94,7 @@ more to it than one robot senses. Often the name is misspelt.
 )",
      R"(plsc regulate robot.pls
 )"},
-    {"W3002", ExampleKind::kGenotype,
+    {Code::kConstantClause, ExampleKind::kGenotype,
      R"(The clause has the same truth value in every environment. A rule that is
 always active is clearer without a clause; one that is never active does
 nothing.
@@ -109,7 +109,7 @@ alphabet plasticoding 1
 sense hot: bool
 rule B -> if hot = True then { T(0.5) }
 )"},
-    {"W3003", ExampleKind::kLint,
+    {Code::kNoActiveRule, ExampleKind::kLint,
      R"(A symbol has rules, but in some environment none of them is active, so
 that it stays as it is there. That may be meant; often a clause is
 missing.
@@ -129,7 +129,7 @@ rule C -> { C add_left B move_left }
 rule B -> if hot = True then { B add_front B }
 rule B -> if hot = False then { B add_right B }
 )"},
-    {"W3004", ExampleKind::kLint,
+    {Code::kSeveralActiveRules, ExampleKind::kLint,
      R"(Several rules of one symbol, each with a clause, are active at once in
 some environment, and their productions are joined there. That may be
 meant; often the clauses were thought to exclude each other.
@@ -150,7 +150,7 @@ iterations 1
 rule C -> if hot = True then { C add_left B }
 rule C -> if hot = False then { C add_right B }
 )"},
-    {"W3005", ExampleKind::kLint,
+    {Code::kUnchecked, ExampleKind::kLint,
      R"(The clauses ask about so many states that there are too many environments
 to look at (more than 65,536), or the strings that develop in them are too
 long together, so the lints that look at all of them were left out. The
@@ -185,7 +185,7 @@ rule C -> if a = True and b = True
 then { C add_left B }
 rule C -> { C }
 )"},
-    {"W4001", ExampleKind::kLint,
+    {Code::kMayGrowTooLong, ExampleKind::kLint,
      R"(In some environment the string would grow beyond its limit, so that no
 robot develops there (P4001). Found by counting, without developing.
 )",
@@ -205,7 +205,7 @@ rule C -> { C add_left B move_left }
 rule B -> if hot = True then { B add_front B move_front }
 rule B -> if hot = False then { B }
 )"},
-    {"W4002", ExampleKind::kLint,
+    {Code::kNotExpressed, ExampleKind::kLint,
      R"(In no environment does the symbol change the robot, or the rule is used
 in none: a module without a mounting command, a slot that is always
 taken, a command without the node that it needs.
@@ -220,7 +220,7 @@ alphabet plasticoding 1
 iterations 1
 rule C -> { C add_left B }
 )"},
-    {"W4003", ExampleKind::kLint,
+    {Code::kOtherJoint, ExampleKind::kLint,
      R"(A controller command acts on the newest joint that was mounted. Where the
 joint right before it is not mounted, because max_modules is reached or
 its place is taken, the command changes an older joint.
@@ -242,7 +242,7 @@ rule C -> {
   mutate_per(1)
 }
 )"},
-    {"W4004", ExampleKind::kLint,
+    {Code::kReadAgain, ExampleKind::kLint,
      R"(Each rewriting puts the production of C in front once more, so that with
 'iterations 2' it is read twice. Where the first reading ends on the core,
 the second finds every place taken. Often 'iterations 1' is meant; a rule

@@ -7,7 +7,7 @@ namespace plsc::cli {
 namespace {
 
 constexpr Explanation kRows[] = {
-    {"P1101", ExampleKind::kGenotype,
+    {Code::kUnknownItem, ExampleKind::kGenotype,
      R"(Each item of a file begins with a keyword: rule, sense, let, environment
 and so on. Here something else stands where an item should begin: often
 a misspelt keyword, a rule without 'rule', or a '}' too many.
@@ -20,7 +20,7 @@ rulle B -> { T(0.5) }
 alphabet plasticoding 1
 rule B -> { T(0.5) }
 )"},
-    {"P1102", ExampleKind::kGenotype,
+    {Code::kMissingName, ExampleKind::kGenotype,
      R"(A name is missing, or is one of the words that the language reserves.
 Names are letters, digits and '_', and do not begin with a digit.
 )",
@@ -32,7 +32,7 @@ sense rule: bool
 alphabet plasticoding 1
 sense ruled: bool
 )"},
-    {"P1103", ExampleKind::kGenotype,
+    {Code::kMissingComparison, ExampleKind::kGenotype,
      R"(A clause compares each state with a value. Also a bool state is written
 with its value: 'hot = True', not 'hot'.
 )",
@@ -46,7 +46,7 @@ alphabet plasticoding 1
 sense hot: bool
 rule B -> if hot = True then { T(0.5) }
 )"},
-    {"P1104", ExampleKind::kGenotype,
+    {Code::kForeignNotation, ExampleKind::kGenotype,
      R"(An operator or value as other languages write it. In plsc they are '=',
 '!=', '<', '<=', '>', '>=', 'and', 'or', 'True' and 'False'; there is no
 'not'. 'plsc fix' replaces most of them.
@@ -61,7 +61,7 @@ alphabet plasticoding 1
 sense hot: bool
 rule B -> if hot = True then { T(0.5) }
 )"},
-    {"P1105", ExampleKind::kGenotype,
+    {Code::kMissingTerm, ExampleKind::kGenotype,
      R"(Behind 'if', 'and' and 'or' stands a term: a state, a comparison and a
 value.
 )",
@@ -75,7 +75,7 @@ alphabet plasticoding 1
 sense hot: bool
 rule B -> if hot = True then { T(0.5) }
 )"},
-    {"P1106", ExampleKind::kGenotype,
+    {Code::kMissingThen, ExampleKind::kGenotype,
      R"(A clause ends in 'then', and its terms are joined by 'and' or 'or'. A
 comma or the production itself stands there instead.
 )",
@@ -89,7 +89,7 @@ alphabet plasticoding 1
 sense hot: bool
 rule B -> if hot = True then { T(0.5) }
 )"},
-    {"P1107", ExampleKind::kGenotype,
+    {Code::kUnclosedBrace, ExampleKind::kGenotype,
      R"(A '{' has no '}': the next item begins, or the file ends, before it is
 closed.
 )",
@@ -103,7 +103,7 @@ alphabet plasticoding 1
 rule B -> { T(0.5) }
 rule T -> { T(0.1) }
 )"},
-    {"P1108", ExampleKind::kGenotype,
+    {Code::kMissingValue, ExampleKind::kGenotype,
      R"(A number or another value is missing, or something that is none stands
 there. A symbol without arguments is written without parentheses.
 )",
@@ -117,7 +117,7 @@ alphabet plasticoding 1
 iterations 3
 max_modules 15
 )"},
-    {"P1109", ExampleKind::kGenotype,
+    {Code::kBrokenList, ExampleKind::kGenotype,
      R"(A list in parentheses goes on with ',' and ends in ')'.
 )",
      R"(plsc 1
@@ -128,7 +128,7 @@ rule B -> { T(0.5 add_left }
 alphabet plasticoding 1
 rule B -> { T(0.5) add_left }
 )"},
-    {"P1110", ExampleKind::kGenotype,
+    {Code::kMalformedNumber, ExampleKind::kGenotype,
      R"(A number that is written badly: digits are needed on both sides of the
 point and after the 'e' of an exponent, there is no '+' before a number
 and no unit behind it.
@@ -141,7 +141,7 @@ rule B -> { T(.5) }
 alphabet plasticoding 1
 rule B -> { T(0.5) }
 )"},
-    {"P1111", ExampleKind::kGenotype,
+    {Code::kForeignNumber, ExampleKind::kGenotype,
      R"(Numbers of plsc are finite and decimal: no nan, no inf, no hexadecimal,
 no separator of thousands. A robot cannot be built from a nan.
 )",
@@ -153,7 +153,7 @@ rule B -> { T(nan) }
 alphabet plasticoding 1
 rule B -> { T(0.5) }
 )"},
-    {"P1112", ExampleKind::kGenotype,
+    {Code::kBeyondDouble, ExampleKind::kGenotype,
      R"(Every number is a 64-bit floating-point number. This one is larger than
 any of them, or so small that it would become zero.
 )",
@@ -165,7 +165,7 @@ rule B -> { T(1e-400) }
 alphabet plasticoding 1
 rule B -> { T(1e-300) }
 )"},
-    {"P1113", ExampleKind::kGenotype,
+    {Code::kEmptyProduction, ExampleKind::kGenotype,
      R"(A production has at least one symbol: a symbol cannot be rewritten into
 nothing. To keep the symbol as it is, leave the rule out.
 )",
@@ -177,7 +177,7 @@ rule B -> { }
 alphabet plasticoding 1
 rule B -> { B }
 )"},
-    {"P1114", ExampleKind::kGenotype,
+    {Code::kParentheses, ExampleKind::kGenotype,
      R"(Clauses have no parentheses. 'and' binds tighter than 'or', so that 'a
 or b and c' is 'a or (b and c)'; another order is written out, or as two
 rules.
@@ -192,7 +192,7 @@ alphabet plasticoding 1
 sense hot: bool
 rule B -> if hot = True then { T(0.5) }
 )"},
-    {"P1115", ExampleKind::kGenotype,
+    {Code::kMissingMark, ExampleKind::kGenotype,
      R"(A mark that the item needs is missing, or another one stands in its
 place: '->' and '{' of a rule, ':' and 'in' of a sense, '=' of a let,
 '..' of a range.
@@ -205,7 +205,7 @@ rule B = { T(0.5) }
 alphabet plasticoding 1
 rule B -> { T(0.5) }
 )"},
-    {"P1116", ExampleKind::kGenotype,
+    {Code::kStrayInBraces, ExampleKind::kGenotype,
      R"(Something stands between braces that does not belong there. Symbols of a
 production are separated by blanks, not by commas.
 )",
@@ -217,7 +217,7 @@ rule B -> { add_left, T(0.5) }
 alphabet plasticoding 1
 rule B -> { add_left T(0.5) }
 )"},
-    {"P1117", ExampleKind::kGenotype,
+    {Code::kMissingType, ExampleKind::kGenotype,
      R"(A type is missing or unknown. States are 'bool', 'real in LOW..HIGH' or
 '{ NAME, NAME }'; parameters of symbols are 'real' or 'int'.
 )",
@@ -229,7 +229,7 @@ sense hot: boolean
 alphabet plasticoding 1
 sense hot: bool
 )"},
-    {"P1118", ExampleKind::kGenotype,
+    {Code::kIncompleteAlphabet, ExampleKind::kGenotype,
      R"(An alphabet is either built in and named with its version, or declared
 in braces.
 )",
@@ -241,7 +241,7 @@ axiom C
 alphabet plasticoding 1
 axiom C
 )"},
-    {"P1119", ExampleKind::kGenotype,
+    {Code::kLookalike, ExampleKind::kGenotype,
      R"(A character that looks like one of plsc, or cannot be seen: a minus sign,
 a curly quote or a no-break space that a word processor or a page has put
 in place of '-', '"' or a blank, a letter of another alphabet, a zero width

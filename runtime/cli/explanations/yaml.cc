@@ -7,7 +7,7 @@ namespace plsc::cli {
 namespace {
 
 constexpr Explanation kRows[] = {
-    {"P5100", ExampleKind::kExperiment,
+    {Code::kNotYamlOrJson, ExampleKind::kExperiment,
      R"(The file does not follow the syntax of YAML (a scenario, an experiment)
 or of JSON (a golden file, a recording); the message is that of the
 reader. Often a bracket or quote is not closed, or an indentation is wrong.
@@ -18,7 +18,7 @@ states: [inclined, hot
      R"(plsc_experiment: 1
 states: [inclined]
 )"},
-    {"P5101", ExampleKind::kExperiment,
+    {Code::kUnknownKey, ExampleKind::kExperiment,
      R"(No such key is known here. Unknown keys are errors, for a misspelt one
 would otherwise silently leave its default. docs/experiments.md lists
 all keys.
@@ -29,7 +29,7 @@ populaton: 50
      R"(plsc_experiment: 1
 population: 50
 )"},
-    {"P5102", ExampleKind::kExperiment,
+    {Code::kRepeatedKey, ExampleKind::kExperiment,
      R"(A key stands twice in one map, and only one of the values could count.
 )",
      R"(plsc_experiment: 1
@@ -39,7 +39,7 @@ seed: 2
      R"(plsc_experiment: 1
 seed: 2
 )"},
-    {"P5103", ExampleKind::kExperiment,
+    {Code::kWrongKind, ExampleKind::kExperiment,
      R"(The value has another kind than the key needs: a text where a number is
 expected, a list where a name is, and so on. A text in quotes is never a
 number.
@@ -50,7 +50,7 @@ population: many
      R"(plsc_experiment: 1
 population: 50
 )"},
-    {"P5104", ExampleKind::kExperiment,
+    {Code::kOutOfRange, ExampleKind::kExperiment,
      R"(A number lies outside the range of its key; the message says which it
 is.
 )",
@@ -60,7 +60,7 @@ mutation: 1.5
      R"(plsc_experiment: 1
 mutation: 0.5
 )"},
-    {"P5105", ExampleKind::kExperiment,
+    {Code::kWrongUnit, ExampleKind::kExperiment,
      R"(A quantity has a unit that does not measure it, or none where one must
 be: angles say deg or rad. Without a unit other quantities are in SI.
 )",
@@ -76,7 +76,7 @@ scenario:
   seasons:
     - {name: flat, terrain: flat, senses: {inclined: False}}
 )"},
-    {"P5106", ExampleKind::kExperiment,
+    {Code::kMissingKey, ExampleKind::kExperiment,
      R"(A key without a default is missing. An experiment that has a scenario
 says its seasons.
 )",
@@ -89,7 +89,7 @@ scenario:
   seasons:
     - {name: flat, terrain: flat, senses: {inclined: False}}
 )"},
-    {"P5107", ExampleKind::kExperiment,
+    {Code::kUnknownWord, ExampleKind::kExperiment,
      R"(The value is a word, but none of those that the key knows, or a name
 that is not written as names are.
 )",
@@ -99,7 +99,7 @@ encoding: lsystem
      R"(plsc_experiment: 1
 encoding: baseline
 )"},
-    {"P5108", ExampleKind::kExperiment,
+    {Code::kMisfit, ExampleKind::kExperiment,
      R"(Each value is right, but they do not fit together: two seasons of one
 name, a season that does not answer a state that clauses ask about,
 samples closer than the steps of the physics.

@@ -35,20 +35,15 @@ class File {
   int descriptor_;
 };
 
-Diagnostic Unreadable(std::string code, std::string message) {
-  Diagnostic diagnostic;
-  diagnostic.code = std::move(code);
-  diagnostic.message = std::move(message);
-  return diagnostic;
-}
-
 Diagnostic CannotRead(const std::string& path, int error) {
-  return Unreadable(
-      "P5014", fmt::format("cannot read '{}': {}", path, SystemReason(error)));
+  return {Code::kUnreadableFile,
+          {},
+          fmt::format("cannot read '{}': {}", path, SystemReason(error))};
 }
 
 Diagnostic TooLarge(const std::string& path) {
-  return Unreadable("P5015", fmt::format("'{}' is larger than 16 MiB", path));
+  return {
+      Code::kTooLargeFile, {}, fmt::format("'{}' is larger than 16 MiB", path)};
 }
 
 Result<Source> ReadStandardInput(Io& io) {
@@ -100,7 +95,8 @@ std::optional<Source> ReadOrReport(const std::string& path, Io& io) {
 }
 
 std::string RenderWithoutLine(const Diagnostic& problem) {
-  return fmt::format("error[{}]: {}\n", problem.code, Escaped(problem.message));
+  return fmt::format("error[{}]: {}\n", NumberOf(problem.code),
+                     Escaped(problem.message));
 }
 
 void ReportUnreadable(const Diagnostic& problem, Io& io) {

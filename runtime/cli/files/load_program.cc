@@ -121,8 +121,10 @@ std::optional<std::size_t> Choose(const std::vector<MappedProgram>& all,
     names.push_back(all[i].program.genotype.name);
     if (names.back() == name) return i;
   }
-  io.err << fmt::format("error[P2019]: {} has no genotype '{}'\n",
-                        Escaped(source.name()), Escaped(name));
+  io.err << RenderWithoutLine(
+      {Code::kSeveralGenotypes,
+       {},
+       fmt::format("{} has no genotype '{}'", source.name(), name)});
   if (const auto near = Suggest(name, names))
     io.err << fmt::format("  = help: did you mean '{}'?\n", *near);
   else

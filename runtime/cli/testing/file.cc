@@ -76,11 +76,15 @@ Chosen Choose(const Program& program, const std::string& text) {
 }
 
 std::string TooLong(const Genotype& genotype) {
-  return fmt::format(
-      "error[P4001]: development would produce more than {} symbols\n"
-      "  = help: lower 'iterations' (now {}), or let rules replace themselves "
-      "by fewer modules\n",
-      kMaxStringLength, genotype.development.iterations);
+  return RenderWithoutLine({Code::kTooLongString,
+                     {},
+                     fmt::format("development would produce more than {} "
+                                 "symbols",
+                                 kMaxStringLength)}) +
+         fmt::format(
+             "  = help: lower 'iterations' (now {}), or let rules replace "
+             "themselves by fewer modules\n",
+             genotype.development.iterations);
 }
 
 // Tests `golden` and, with `update`, brings it up to date.

@@ -15,7 +15,8 @@ std::string Outcome(const std::string& text) {
   for (std::size_t i = 0; i < mapped->program.tests.size(); ++i)
     if (const auto failure = RunInlineTest(*mapped, i)) {
       const auto [line, column] = source.PositionOf(failure->span.begin);
-      CHECK(failure->code == (failure->notes.empty() ? "P4001" : "P4002"));
+      CHECK(failure->code == (failure->notes.empty() ? Code::kTooLongString
+                                                     : Code::kFailedTest));
       return std::to_string(line) + ":" + std::to_string(column) + " " +
              failure->label;
     }

@@ -218,7 +218,7 @@ TEST_CASE("Trim refuses what cannot be developed everywhere", "[trim]") {
   const auto code = [](const std::string& text) {
     const auto trimmed = Trim(Source("test", kHead + text));
     REQUIRE_FALSE(trimmed);
-    return trimmed.diagnostics().front().code;
+    return NumberOf(trimmed.diagnostics().front().code);
   };
   CHECK(code("iterations 30\nrule C -> { C B }\nrule B -> { B B }\n") ==
         "P4001");

@@ -30,7 +30,8 @@ std::string CodesOfImport(const std::string& text) {
   std::string codes;
   const auto program = ImportAuthorsGenotype(source, GuessAuthorsFormat(text));
   for (const Diagnostic& diagnostic : program.diagnostics()) {
-    codes += (codes.empty() ? "" : " ") + diagnostic.code;
+    codes +=
+        (codes.empty() ? "" : " ") + std::string(NumberOf(diagnostic.code));
     CHECK(diagnostic.span.end <= text.size());
   }
   return codes;
@@ -293,7 +294,8 @@ TEST_CASE("What Revolve has no words for is not exported",
           "[authors_genotype]") {
   const auto code = [](const Genotype& genotype) {
     const auto text = AuthorsGenotypeText(genotype);
-    return text.diagnostics().empty() ? "" : text.diagnostics()[0].code;
+    return text.diagnostics().empty() ? ""
+                                      : NumberOf(text.diagnostics()[0].code);
   };
   CHECK(code(test::Robot("rule C -> { C }")).empty());
   CHECK(code(test::Robot("iterations 4 rule C -> { C }")) == "W5200");
@@ -330,7 +332,7 @@ TEST_CASE("Texts of Revolve of any length are read or refused",
         ImportAuthorsGenotype(Source("test", text), GuessAuthorsFormat(text));
     REQUIRE_FALSE(read);
     CHECK(read.diagnostics().size() <= kMaxReported + 1);
-    return read.diagnostics()[0].code;
+    return NumberOf(read.diagnostics()[0].code);
   };
   CHECK(first_of(letters + "}") == "P2007");
   CHECK(first_of(conditions + "]}") == "P5200");

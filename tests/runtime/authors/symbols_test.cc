@@ -25,9 +25,9 @@ TEST_CASE("Every symbol has one token, the one that messages name",
 }
 
 TEST_CASE("Parameters of joints change places, and back", "[authors_symbols]") {
-  std::vector<Diagnostic> problems;
+  Reporter reporter;
   const AuthorsWord word{"AJ2", {0, 3}, {{0.5, {}}, {2, {}}, {3, {}}, {4, {}}}};
-  const auto symbol = ImportSymbol(word, false, &problems);
+  const auto symbol = ImportSymbol(word, false, &reporter);
   REQUIRE(symbol);
   CHECK(symbol->id == plasticoding::kA1);
   CHECK(symbol->arguments[plasticoding::kWeight] == 0.5);
@@ -40,9 +40,10 @@ TEST_CASE("Parameters of joints change places, and back", "[authors_symbols]") {
 TEST_CASE("A number out of range is a warning where that is wanted",
           "[authors_symbols]") {
   const AuthorsWord word{"ST", {0, 4}, {{2, {3, 4}}}};
-  std::vector<Diagnostic> problems;
-  CHECK_FALSE(ImportSymbol(word, false, &problems));
-  CHECK(ImportSymbol(word, true, &problems)->arguments[0] == 2);
+  Reporter reporter;
+  CHECK_FALSE(ImportSymbol(word, false, &reporter));
+  CHECK(ImportSymbol(word, true, &reporter)->arguments[0] == 2);
+  const std::vector<Diagnostic>& problems = reporter.diagnostics();
   REQUIRE(problems.size() == 2);
   CHECK(problems[0].severity == Severity::kError);
   CHECK(problems[1].severity == Severity::kWarning);

@@ -248,7 +248,7 @@ TEST_CASE("Lists of any length are refused at once", "[experiment]") {
       const Source source("test.yaml", "plsc_experiment: 1\n" + row.text);
       const auto read = ParseExperiment(source);
       REQUIRE_FALSE(read);
-      CHECK(read.diagnostics()[0].code == row.code);
+      CHECK(NumberOf(read.diagnostics()[0].code) == row.code);
       CHECK(read.diagnostics()[0].message == row.message);
     }
   }

@@ -25,13 +25,10 @@ TEST_CASE("A diagnostic is all that a terminal would show", "[lsp]") {
 }
 
 TEST_CASE("Help and labels are part of the message", "[lsp]") {
-  Diagnostic diagnostic;
-  diagnostic.message = "m";
+  Diagnostic diagnostic(Code::kNotExpressed, {}, "m");
   diagnostic.label = "l";
   diagnostic.notes = {"n"};
   diagnostic.help = "h";
-  diagnostic.code = "W4002";
-  diagnostic.severity = Severity::kWarning;
   const Analysis analysis(kTestUri, "x");
   const Json advice = DiagnosticToJson(diagnostic, analysis, true);
   CHECK(advice["message"] == "m\nl\nnote: n\nhelp: h");

@@ -43,8 +43,8 @@ TEST_CASE("JsonReader reports what is wrong, at its place", "[json_reader]") {
   CHECK(reader.Text(root, "missing").empty());
   std::vector<std::string> told;
   for (const Diagnostic& error : reader.errors())
-    told.push_back(error.code + "@" + std::to_string(error.span.begin) + " " +
-                   error.message);
+    told.push_back(std::string(NumberOf(error.code)) + "@" +
+                   std::to_string(error.span.begin) + " " + error.message);
   CHECK(told == std::vector<std::string>{
                     "P5101@39 unknown key 'nmber'",
                     "P5103@9 expected a text for 'text', found 1",

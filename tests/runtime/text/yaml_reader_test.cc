@@ -181,7 +181,7 @@ TEST_CASE("A map of very many keys is read", "[yaml]") {
   CHECK(root->TakeAll().size() == 50000);
   root->Close();
   REQUIRE(file.diagnostics().size() == 1);
-  CHECK(file.diagnostics()[0].code == "P5102");
+  CHECK(file.diagnostics()[0].code == Code::kRepeatedKey);
 }
 
 TEST_CASE("Errors are collected up to a limit", "[yaml]") {

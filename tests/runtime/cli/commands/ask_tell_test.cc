@@ -65,7 +65,7 @@ TEST_CASE("A wrong request is told with its place", "[ask_tell]") {
     INFO(row.why);
     const auto request = cli::ParseEvaluationRequest(Source("line", row.line));
     REQUIRE_FALSE(request);
-    CHECK(request.diagnostics()[0].code == row.code);
+    CHECK(NumberOf(request.diagnostics()[0].code) == row.code);
     CHECK(cli::IdOfRequest(row.line) == row.id);
   }
 }
@@ -93,11 +93,9 @@ TEST_CASE("An answer has the fitness of each season", "[ask_tell]") {
 
 TEST_CASE("A failure has the request's line and the diagnostics",
           "[ask_tell]") {
-  Diagnostic diagnostic;
-  diagnostic.code = "P2004";
-  diagnostic.message = "too \"much\"\xff";
+  const Diagnostic diagnostic(Code::kArgumentRange, {7, 11},
+                              "too \"much\"\xff");
   const Source source("text", "plsc 1\nrule");
-  diagnostic.span = {7, 11};
   const Json answer = Json::parse(
       cli::FailureAnswer("4", 12, {diagnostic, diagnostic}, source));
   CHECK(answer["id"] == 4);

@@ -55,10 +55,10 @@ TEST_CASE("explain --list has a line for every code", "[explain]") {
   for (const CodeInfo& info : DiagnosticCodes()) {
     std::string line;
     REQUIRE(std::getline(text_lines, line));
-    CHECK(line == std::string(info.code) + "  " + std::string(info.meaning));
+    CHECK(line == std::string(info.number) + "  " + std::string(info.meaning));
     REQUIRE(std::getline(json_lines, line));
     const auto object = nlohmann::json::parse(line);
-    CHECK(object["code"] == info.code);
+    CHECK(object["code"] == info.number);
     CHECK(object["meaning"] == info.meaning);
     for (const char* key : {"explanation", "wrong", "mended"})
       CHECK_FALSE(object[key].get<std::string>().empty());

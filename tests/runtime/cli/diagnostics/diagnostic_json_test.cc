@@ -8,16 +8,14 @@ namespace {
 
 TEST_CASE("a diagnostic keeps its parts in JSON", "[diagnostic_json]") {
   const Source source("a.pls", "one\ntöö two\n");
-  Diagnostic diagnostic;
-  diagnostic.code = "P1234";
-  diagnostic.span = {10, 13};
-  diagnostic.message = "expected one, found two";
+  Diagnostic diagnostic(Code::kUnknownItem, {10, 13},
+                        "expected one, found two");
   diagnostic.others = {{{0, 3}, "one is here"}};
   diagnostic.fixes = {{{10, 13}, "one"}};
   const auto json =
       nlohmann::json::parse(cli::DiagnosticJson(diagnostic, source));
   CHECK(json["severity"] == "error");
-  CHECK(json["code"] == "P1234");
+  CHECK(json["code"] == "P1101");
   CHECK(json["line"] == 2);
   CHECK(json["column"] == 5);  // characters, not bytes
   CHECK(json["byte_begin"] == 10);
@@ -26,8 +24,7 @@ TEST_CASE("a diagnostic keeps its parts in JSON", "[diagnostic_json]") {
 }
 
 TEST_CASE("text that is not UTF-8 stays valid JSON", "[diagnostic_json]") {
-  Diagnostic diagnostic;
-  diagnostic.message = "found '\xFF'";
+  const Diagnostic diagnostic(Code::kUnknownItem, {}, "found '\xFF'");
   CHECK(nlohmann::json::accept(
       cli::DiagnosticJson(diagnostic, Source("a", "\xFF"))));
 }

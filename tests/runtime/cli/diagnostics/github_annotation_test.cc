@@ -6,11 +6,7 @@ namespace plsc {
 namespace {
 
 Diagnostic At(Span span) {
-  Diagnostic diagnostic;
-  diagnostic.code = "P2001";
-  diagnostic.span = span;
-  diagnostic.message = "a message";
-  return diagnostic;
+  return {Code::kUnknownSymbol, span, "a message"};
 }
 
 TEST_CASE("An annotation names the place and all there is to say", "[github]") {
@@ -30,11 +26,9 @@ TEST_CASE("An annotation names the place and all there is to say", "[github]") {
 
 TEST_CASE("Warnings are warnings; a place of several lines has no end column",
           "[github]") {
-  Diagnostic diagnostic = At({0, 3});
-  diagnostic.severity = Severity::kWarning;
-  diagnostic.code = "";
+  const Diagnostic diagnostic(Code::kNotExpressed, {0, 3}, "a message");
   CHECK(cli::GithubAnnotation(diagnostic, Source("a", "x\ny\n")) ==
-        "::warning file=a,line=1,col=1,endLine=2,title=plsc::a message");
+        "::warning file=a,line=1,col=1,endLine=2,title=W4002::a message");
 }
 
 TEST_CASE("Texts of the user's cannot end or forge a command", "[github]") {

@@ -106,11 +106,9 @@ TEST_CASE("SARIF of right files has no results", "[sarif]") {
 }
 
 TEST_CASE("Columns of SARIF count code points, ends are behind", "[sarif]") {
-  Diagnostic diagnostic;
-  diagnostic.code = "P1101";
+  // Behind a robot's face of four bytes.
+  Diagnostic diagnostic(Code::kUnknownItem, {5, 7}, "odd \xFF bytes");
   diagnostic.severity = Severity::kWarning;
-  diagnostic.message = "odd \xFF bytes";
-  diagnostic.span = {5, 7};  // behind a robot's face of four bytes
   const Json document = Json::parse(
       cli::Sarif({{Source("a", "\xF0\x9F\xA4\x96 xy\n"), {diagnostic}}}));
   CheckDocument(document);

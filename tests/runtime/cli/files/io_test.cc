@@ -33,13 +33,15 @@ TEST_CASE("what cannot be read is said", "[io]") {
   const test::TemporaryFolder folder;
   const auto missing = Read(folder / "none");
   REQUIRE_FALSE(missing);
-  CHECK(missing.diagnostics()[0].code == "P5014");
+  CHECK(missing.diagnostics()[0].code == Code::kUnreadableFile);
   CHECK(missing.diagnostics()[0].message.find("No such file") !=
         std::string::npos);
-  CHECK(Read(folder.path().string()).diagnostics()[0].code == "P5014");
+  CHECK(Read(folder.path().string()).diagnostics()[0].code ==
+        Code::kUnreadableFile);
   const std::string huge((16u << 20) + 1, ' ');
-  CHECK(Read(folder.Write("huge", huge)).diagnostics()[0].code == "P5015");
-  CHECK(Read("-", huge).diagnostics()[0].code == "P5015");
+  CHECK(Read(folder.Write("huge", huge)).diagnostics()[0].code ==
+        Code::kTooLargeFile);
+  CHECK(Read("-", huge).diagnostics()[0].code == Code::kTooLargeFile);
 }
 
 TEST_CASE("who goes no further without a source is told", "[io]") {
