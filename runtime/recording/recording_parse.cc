@@ -1,4 +1,10 @@
-// The reading half of recording_json.h.
+// The reading half of recording_json.h. A recording may come from anywhere, and
+// who draws one takes its indices, sizes and turns as they are; so all of them
+// are checked here, against each other, too: joints name links that there are,
+// tracks have the rows that the body asks for, samples rise in time. Nothing is
+// allocated on a number's word (DecodeTrack). Reading goes on after an error
+// with what a default is, so that all errors are told at once, and nothing is
+// returned if there was one.
 
 #include <fmt/format.h>
 
