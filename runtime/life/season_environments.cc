@@ -12,6 +12,7 @@
 
 #include "runtime/life/season_developer.h"
 #include "sim/imu.h"
+#include "sim/placement.h"
 
 namespace plsc {
 
