@@ -179,7 +179,7 @@ class Run {
         result_.population[BestOf(result_.population, result_.counts)].id;
     for (RunObserver* observer : options_.observers)
       if (auto failure = observer->OnGeneration(record))
-        return Fail(std::move(*failure));
+        return Fail(*failure);
     Summarise(result_.population);
     return true;
   }
@@ -189,7 +189,7 @@ class Run {
     for (RunObserver* observer : options_.observers)
       if (auto failure =
               observer->OnBirths(robots, [this] { return IsStopped(); }))
-        return Fail(std::move(*failure));
+        return Fail(*failure);
     if (IsStopped()) return false;
     if (options_.saved)
       for (Individual& robot : robots)
@@ -217,7 +217,7 @@ class Run {
     robot.evaluation = verdict.life.evaluation;
     for (RunObserver* observer : options_.observers)
       if (auto failure = observer->OnEvaluated(robot, verdict.life.evidence))
-        return Fail(std::move(*failure));
+        return Fail(*failure);
     ++result_.evaluations;
     if (result_.population.empty()) summary_.Add(robot.evaluation);
     return true;
@@ -231,9 +231,9 @@ class Run {
     return result_.ending == Ending::kStopped;
   }
 
-  bool Fail(std::string failure) {
+  bool Fail(const Failure& failure) {
     result_.ending = Ending::kFailed;
-    result_.failure = std::move(failure);
+    result_.failure = failure.text;
     return false;
   }
 

@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "grammar/failure.h"
 #include "runtime/evolve/individual.h"
 #include "runtime/evolve/simulation_cache.h"
 #include "runtime/life/life_plan.h"
@@ -51,7 +52,7 @@ class Judging {
   /// Verdicts still to come.
   std::size_t outstanding() const { return outstanding_; }
   /// What went wrong, if no more verdicts will come.
-  const std::optional<std::string>& failure() const { return failure_; }
+  const MaybeFailure& failure() const { return failure_; }
   const JudgingCounts& counts() const { return counts_; }
 
  private:
@@ -91,7 +92,7 @@ class Judging {
   std::map<std::vector<Key>, std::size_t> tickets_;  // by the piece's keys
   std::deque<std::size_t> known_;                    // robots with all seasons
   std::size_t outstanding_ = 0;
-  std::optional<std::string> failure_;
+  MaybeFailure failure_;
   JudgingCounts counts_;
 };
 

@@ -66,12 +66,12 @@ void NewFile::OpenNamed() {
   neighbour_.clear();
 }
 
-NewFile::Failure NewFile::Tell() const {
+MaybeFailure NewFile::Tell() const {
   if (error_ == 0) return std::nullopt;
   return fmt::format("cannot write to '{}': {}", path_, ReasonOf(error_));
 }
 
-NewFile::Failure NewFile::Write(std::string_view text) {
+MaybeFailure NewFile::Write(std::string_view text) {
   pending_ += text;
   if (pending_.size() >= kBuffer) Flush();
   return Tell();
@@ -108,7 +108,7 @@ void NewFile::Link(const std::string& name) {
   neighbour_.clear();
 }
 
-NewFile::Failure NewFile::Publish() {
+MaybeFailure NewFile::Publish() {
   Flush();
   if (error_ == 0 && fsync(descriptor_) != 0) error_ = errno;
   if (error_ == 0) Link(path_);
@@ -117,7 +117,7 @@ NewFile::Failure NewFile::Publish() {
   return Tell();
 }
 
-NewFile::Failure NewFile::Replace() {
+MaybeFailure NewFile::Replace() {
   Flush();
   if (error_ == 0 && fsync(descriptor_) != 0) error_ = errno;
   if (error_ == 0 && neighbour_.empty()) {  // only what has a name replaces

@@ -166,7 +166,7 @@ RunWriter::RunWriter(Database& database, RunReader& reader,
       member_(database, Insert("member", {"generation", "individual", "place",
                                           "count", "survivor"})) {}
 
-RunWriter::Failure RunWriter::Births(const std::vector<Individual>& born,
+MaybeFailure RunWriter::Births(const std::vector<Individual>& born,
                                      const std::function<bool()>& should_stop) {
   Transaction transaction(database_);
   for (const Individual& one : born) {
@@ -225,7 +225,7 @@ void RunWriter::AddIndividual(const Individual& one) {
   sum_individual_.With(checksums_.OfIndividual(one.id), one.id).Run();
 }
 
-RunWriter::Failure RunWriter::Evaluated(
+MaybeFailure RunWriter::Evaluated(
     const Individual& one, const std::vector<SeasonEvidence>& evidence) {
   Transaction transaction(database_);
   remove_lost_.With(one.id, one.id).Run();
@@ -309,7 +309,7 @@ void RunWriter::AddSimulation(const SeasonEvidence& evidence) {
   simulation_.Run();
 }
 
-RunWriter::Failure RunWriter::Completed(const GenerationRecord& record) {
+MaybeFailure RunWriter::Completed(const GenerationRecord& record) {
   Transaction transaction(database_);
   std::map<int, std::int64_t> ranks;
   for (const int id : record.survivors)

@@ -23,7 +23,7 @@ const char* WordOf(SchemaKind kind) {
 
 }  // namespace
 
-std::optional<std::string> CheckNothingAdded(
+MaybeFailure CheckNothingAdded(
     Database& database, const std::vector<SchemaItem>& known) {
   Statement objects(database, "SELECT type, name, sql FROM sqlite_master");
   objects.With();

@@ -20,8 +20,6 @@ namespace plsc::cli {
 
 namespace {
 
-using Failure = std::optional<std::string>;
-
 std::string SystemReason(int error) {
   return std::error_code(error, std::generic_category()).message();
 }
@@ -46,13 +44,13 @@ class NewFile {
   NewFile(const NewFile&) = delete;
   NewFile& operator=(const NewFile&) = delete;
 
-  Failure Write(std::string_view text) {
+  MaybeFailure Write(std::string_view text) {
     if (error_ == 0 &&
         std::fwrite(text.data(), 1, text.size(), file_) != text.size())
       error_ = errno;
     return Check();
   }
-  Failure Finish() {
+  MaybeFailure Finish() {
     // Closing writes what is buffered, and may fail as writing does.
     if (error_ == 0 && std::fclose(std::exchange(file_, nullptr)) != 0)
       error_ = errno;
@@ -64,7 +62,7 @@ class NewFile {
   }
 
  private:
-  Failure Check() const {
+  MaybeFailure Check() const {
     if (error_ == 0) return std::nullopt;
     return fmt::format("cannot write to '{}': {}", path_, SystemReason(error_));
   }
@@ -80,16 +78,16 @@ class NewFile {
 
 /// What could be read of a damaged run is a file, too.
 template <typename Writer>
-Failure WriteFileWith(const std::string& path, const Writer& write) {
+MaybeFailure WriteFileWith(const std::string& path, const Writer& write) {
   NewFile file(path);
   bool is_written = true;
-  Failure failure = write([&](std::string_view text) {
-    Failure wrong = file.Write(text);
+  MaybeFailure failure = write([&](std::string_view text) {
+    MaybeFailure wrong = file.Write(text);
     is_written = is_written && !wrong;
     return wrong;
   });
   if (!is_written) return failure;
-  Failure unfinished = file.Finish();
+  MaybeFailure unfinished = file.Finish();
   return failure ? failure : unfinished;
 }
 
@@ -113,22 +111,22 @@ bool CanWriteAll(const ExportCommand& command, Io& io) {
                      });
 }
 
-Failure ExportTables(const ExportCommand& command) {
+MaybeFailure ExportTables(const ExportCommand& command) {
   CsvExport run;
-  if (Failure failure = run.Open(command.file)) return failure;
-  Failure first = run.damage();
+  if (MaybeFailure failure = run.Open(command.file)) return failure;
+  MaybeFailure first = run.damage();
   for (const CsvTable& table : CsvTables()) {
     const std::string path = TableOf(command, table).path;
-    Failure failure = WriteFileWith(
+    MaybeFailure failure = WriteFileWith(
         path, [&](const Sink& sink) { return run.Write(table, sink); });
     if (failure && !first) first = std::move(failure);
   }
   return first;
 }
 
-Failure ExportLines(const ExportCommand& command, Io& io) {
+MaybeFailure ExportLines(const ExportCommand& command, Io& io) {
   if (command.output.empty() || command.output == "-")
-    return WriteJsonl(command.file, [&](std::string_view text) -> Failure {
+    return WriteJsonl(command.file, [&](std::string_view text) -> MaybeFailure {
       io.out << text;
       if (io.out) return std::nullopt;
       return "cannot write to standard output";
@@ -151,11 +149,11 @@ Exit Run(const ExportCommand& command, Io& io) {
   {
     // Nothing is written for what is no run.
     RunStore store;
-    if (const Failure failure = store.OpenForReading(command.file))
+    if (const MaybeFailure failure = store.OpenForReading(command.file))
       return Complain(*failure, io);
   }
   if (!CanWriteAll(command, io)) return Exit::kBadInput;
-  const Failure failure =
+  const MaybeFailure failure =
       command.jsonl ? ExportLines(command, io) : ExportTables(command);
   return failure ? Complain(*failure, io) : Exit::kFine;
 }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <ostream>
-#include <variant>
 #include <vector>
 
 #include "compiler/compile.h"
@@ -48,7 +47,7 @@ std::vector<Genotype> DrawSome(const RandomCommand& command) {
 }
 
 /// As a run of the experiment begins.
-std::variant<std::vector<Genotype>, Exit> DrawPopulation(
+Expected<std::vector<Genotype>, Exit> DrawPopulation(
     const RandomCommand& command, Io& io) {
   auto experiment = LoadExperiment(command.experiment, io);
   if (!experiment) return Exit::kBadInput;
@@ -67,7 +66,7 @@ std::variant<std::vector<Genotype>, Exit> DrawPopulation(
   return genotypes;
 }
 
-std::variant<std::vector<Genotype>, Exit> Draw(const RandomCommand& command,
+Expected<std::vector<Genotype>, Exit> Draw(const RandomCommand& command,
                                                Io& io) {
   if (!command.experiment.empty()) return DrawPopulation(command, io);
   if (command.seed) return DrawSome(command);
@@ -80,9 +79,9 @@ std::variant<std::vector<Genotype>, Exit> Draw(const RandomCommand& command,
 
 Exit Run(const RandomCommand& command, Io& io) {
   const auto drawn = Draw(command, io);
-  if (const Exit* exit = std::get_if<Exit>(&drawn)) return *exit;
+  if (!drawn) return drawn.error();
   std::vector<std::string> texts;
-  for (const Genotype& one : std::get<std::vector<Genotype>>(drawn))
+  for (const Genotype& one : *drawn)
     texts.push_back(Print(one));
   const std::string text = JoinGenotypes(texts);
   // A name such as `rule` or `2nd` for a state comes from the command line;

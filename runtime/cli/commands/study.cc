@@ -61,7 +61,7 @@ RunEnd Execute(const RunTask& task, const StudyRunCommand& command, Io& io) {
 }
 
 /// The cache first: where it cannot be opened, no folder is made.
-std::optional<std::string> Prepare(const StudyRunCommand& command,
+MaybeFailure Prepare(const StudyRunCommand& command,
                                    const Study& study) {
   SharedCache cache;
   if (!command.cache.empty())
@@ -161,7 +161,7 @@ Exit Run(const StudyRunCommand& command, Io& io) {
   const auto runs = ChosenRuns(*study, command.only, command.shard, io);
   if (!runs) return Exit::kBadInput;
   if (const auto failure = Prepare(command, *study)) {
-    io.err << fmt::format("error: {}\n", Escaped(*failure));
+    io.err << fmt::format("error: {}\n", Escaped(failure->text));
     return Exit::kBadInput;
   }
   const InterruptHandler handler;
@@ -169,7 +169,7 @@ Exit Run(const StudyRunCommand& command, Io& io) {
   options.execute = [&](const RunTask& task) {
     // Another study's folder, or none, may be there since the last run.
     if (const auto failure = CheckFolder(command.output, *study)) {
-      io.err << fmt::format("error: {}\n", *failure);
+      io.err << fmt::format("error: {}\n", failure->text);
       return RunEnd::kFailed;
     }
     return Execute(task, command, io);

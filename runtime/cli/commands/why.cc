@@ -3,7 +3,6 @@
 
 #include <nlohmann/json.hpp>
 #include <ostream>
-#include <variant>
 
 #include "compiler/print.h"
 #include "grammar/shown_line.h"
@@ -137,7 +136,7 @@ struct Question {
 };
 
 // Of a file, or of a run, whose seasons are the environments then.
-std::variant<LoadedProgram, Exit> Load(const WhyCommand& command,
+Expected<LoadedProgram, Exit> Load(const WhyCommand& command,
                                        const FileAndPlace& from, Io& io) {
   if (!IsRobotNamed(from.file, command.individual, io)) return Exit::kBadUsage;
   if (command.individual.empty()) {
@@ -148,8 +147,8 @@ std::variant<LoadedProgram, Exit> Load(const WhyCommand& command,
   auto found = FindRobot({from.file, command.individual, command.environments,
                           command.allow_range},
                          io);
-  if (const Exit* exit = std::get_if<Exit>(&found)) return *exit;
-  return std::move(std::get<RobotFound>(found).loaded);
+  if (!found) return found.error();
+  return std::move(found->loaded);
 }
 
 Exit Explain(const LoadedProgram& loaded, const Question& question,
@@ -198,8 +197,8 @@ Exit Run(const WhyCommand& command, Io& io) {
     return Exit::kBadUsage;
   }
   const auto found = Load(command, from, io);
-  if (const Exit* exit = std::get_if<Exit>(&found)) return *exit;
-  const auto& loaded = std::get<LoadedProgram>(found);
+  if (!found) return found.error();
+  const auto& loaded = *found;
   const Genotype& genotype = loaded.mapped.program.genotype;
   if (question.part && !genotype.alphabet->is_built_in()) {
     io.err << fmt::format("error: alphabet '{}' has no bodies to ask about\n",

@@ -36,7 +36,7 @@ Simulated Look(const Phenotype& robot, const Season& season) {
   return seen;
 }
 
-RunObserver::Failure Recorder::OnBirths(
+MaybeFailure Recorder::OnBirths(
     const std::vector<Individual>& born,
     const std::function<bool()>& /*should_stop*/) {
   std::vector<int> ids;
@@ -47,7 +47,7 @@ RunObserver::Failure Recorder::OnBirths(
   return std::nullopt;
 }
 
-RunObserver::Failure Recorder::OnEvaluated(
+MaybeFailure Recorder::OnEvaluated(
     const Individual& one, const std::vector<SeasonEvidence>& its) {
   if (failing_after > 0 && evaluated.size() == failing_after)
     return "the disk is full";
@@ -58,7 +58,7 @@ RunObserver::Failure Recorder::OnEvaluated(
   return std::nullopt;
 }
 
-RunObserver::Failure Recorder::OnGeneration(const GenerationRecord& record) {
+MaybeFailure Recorder::OnGeneration(const GenerationRecord& record) {
   generations.push_back(record);
   return std::nullopt;
 }

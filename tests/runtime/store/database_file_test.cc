@@ -61,7 +61,7 @@ std::string ReadAsNobody(const std::string& path) {
     RunStore store;
     if (auto failure = store.OpenForReading(path)) return *failure;
     const auto saved = store.Load();
-    return saved ? std::to_string(saved->generations) : saved.failure();
+    return saved ? std::to_string(saved->generations) : saved.error();
   });
 }
 

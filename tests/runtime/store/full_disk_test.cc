@@ -31,7 +31,7 @@ const Recorder& TheRun() {
 /// Shows a store what it does not have yet.
 std::string GoOn(RunStore& store) {
   auto saved = store.Load();
-  if (!saved) return saved.failure();
+  if (!saved) return saved.error();
   const Recorder& run = TheRun();
   for (auto g = static_cast<std::size_t>(saved->generations);
        g < run.births.size(); ++g) {

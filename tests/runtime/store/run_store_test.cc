@@ -79,7 +79,7 @@ void CheckSame(const Individual& a, const Individual& b) {
 
 std::string Dump(const std::string& path) {
   auto dump = DumpResults(path);
-  REQUIRE(dump.failure() == "");
+  REQUIRE(dump);
   return *dump;
 }
 
@@ -104,10 +104,10 @@ TEST_CASE("A store gives back all that it was shown, bit for bit",
   REQUIRE(run.individuals.size() == 32);
   for (const Individual& one : run.individuals) {
     auto found = again.Find(one.id);
-    REQUIRE(found.failure() == "");
+    REQUIRE(found);
     CheckSame(*found, one);
     auto evidence = again.EvidenceOf(one.id);
-    REQUIRE(evidence.failure() == "");
+    REQUIRE(evidence);
     const auto& shown = run.evidence[static_cast<std::size_t>(one.id - 1)];
     REQUIRE(evidence->size() == shown.size());
     for (std::size_t i = 0; i < shown.size(); ++i) {
@@ -132,7 +132,7 @@ TEST_CASE("A store gives back all that it was shown, bit for bit",
   CHECK(again.Find(33).failure() ==
         "'" + (scratch / "run.sqlite") + "' has no robot 33");
   auto status = again.Status();
-  REQUIRE(status.failure() == "");
+  REQUIRE(status);
   CHECK(status->generations == 5);
   CHECK(status->evaluations == 32);
   CHECK(status->best == run.generations.back().best);
@@ -166,7 +166,7 @@ TEST_CASE("A run goes on where it was left", "[run_store]") {
     RunStore store;
     REQUIRE(store.Open(path) == std::nullopt);
     auto saved = store.Load();
-    REQUIRE(saved.failure() == "");
+    REQUIRE(saved);
     CHECK(saved->generations == generations);
     const std::size_t half = generations == 0 ? 4 : 3;
     CHECK(saved->evaluations ==
@@ -283,7 +283,7 @@ TEST_CASE("A lineage has everybody once, nearest first", "[run_store]") {
   RunStore store;
   REQUIRE(store.OpenForReading(scratch / "run") == std::nullopt);
   auto lineage = store.Lineage(32, 100);
-  REQUIRE(lineage.failure() == "");
+  REQUIRE(lineage);
   CHECK(lineage->front().id == 32);
   CHECK(lineage->front().distance == 0);
   std::set<int> seen;

@@ -87,7 +87,7 @@ Recorder RecordRun(const Experiment& experiment) {
 
 std::string Show(const Recorder& recorder, RunStore& store, int order,
                  int generations) {
-  RunObserver::Failure failure;
+  MaybeFailure failure;
   for (std::size_t g = 0; g < recorder.births.size() && !failure; ++g) {
     const bool is_last = static_cast<int>(g) == generations;
     const std::vector<int>& ids = recorder.births[g];

@@ -33,7 +33,7 @@ TEST_CASE("A study's folder keeps the study, and is found again",
   CHECK(std::filesystem::is_directory(folder + "/plastic"));
   CHECK(std::filesystem::is_directory(folder + "/baseline"));
   CHECK(RunPath(folder, study, {1, 2}) == folder + "/baseline/2.sqlite");
-  const Loaded<Study> found = StudyIn(folder);
+  const Expected<Study, Failure> found = StudyIn(folder);
   REQUIRE(found);
   CHECK(*found == study);
   CHECK(PrepareFolder(folder, study) == std::nullopt);
@@ -94,11 +94,11 @@ TEST_CASE("A folder that cannot be made or read is told", "[study_folder]") {
   const auto failure = PrepareFolder(scratch / "file/study", SmallStudy());
   REQUIRE(failure);
   CHECK(failure->find("cannot create") == 0);
-  CHECK(StudyIn(scratch / "nothing").failure().find("is no study's folder") !=
+  CHECK(StudyIn(scratch / "nothing").error().text.find("is no study's folder") !=
         std::string::npos);
   REQUIRE(PrepareFolder(scratch / "study", SmallStudy()) == std::nullopt);
   test::WriteBytes(scratch / "study/study.yaml", "experiments: 5\n");
-  CHECK(StudyIn(scratch / "study").failure().find("is damaged") !=
+  CHECK(StudyIn(scratch / "study").error().text.find("is damaged") !=
         std::string::npos);
 }
 
@@ -125,7 +125,7 @@ TEST_CASE("Of many processes that begin at once, all agree on one study",
       REQUIRE(WIFEXITED(status));
       statuses[i % 2] += WEXITSTATUS(status);
     }
-    const Loaded<Study> winner = StudyIn(folder);
+    const Expected<Study, Failure> winner = StudyIn(folder);
     REQUIRE(winner);
     CHECK(statuses[winner->seed] == 0);
     CHECK(statuses[1 - winner->seed] == 4);
