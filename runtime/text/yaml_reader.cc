@@ -458,7 +458,8 @@ void YamlMap::Close() const {
 }
 
 YamlFile::YamlFile(const Source& source)
-    : document_(std::make_shared<YamlDocument>(YamlDocument{source, {}, {}})) {
+    : document_(std::make_shared<YamlDocument>(
+          YamlDocument{source, {}, Reporter()})) {
   document_->root = ParseOne(source, document_->reporter);
 }
 
