@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "grammar/expected.h"
 #include "compiler/program.h"
+#include "grammar/expected.h"
 
 namespace plsc {
 
@@ -69,7 +69,8 @@ struct GenotypeStats {
 struct OutgrownIn {
   std::size_t environment = 0;
 };
-Expected<GenotypeStats, OutgrownIn> StatsOf(const Genotype& genotype,
-                    const std::vector<NamedEnvironment>& environments);
+Expected<GenotypeStats, OutgrownIn> StatsOf(
+    const Genotype& genotype,
+    const std::vector<NamedEnvironment>& environments);
 
 }  // namespace plsc

@@ -178,8 +178,7 @@ class Run {
     record.best =
         result_.population[BestOf(result_.population, result_.counts)].id;
     for (RunObserver* observer : options_.observers)
-      if (auto failure = observer->OnGeneration(record))
-        return Fail(*failure);
+      if (auto failure = observer->OnGeneration(record)) return Fail(*failure);
     Summarise(result_.population);
     return true;
   }

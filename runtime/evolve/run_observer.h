@@ -30,18 +30,17 @@ struct GenerationRecord {
 /// What a function returns is what went wrong, which ends the run; or nothing.
 class RunObserver {
  public:
-
   virtual ~RunObserver() = default;
   /// A generation's newborn in order of id, not evaluated yet. A run that goes
   /// on shows those of the generation that was under way again. When
   /// `should_stop`, if any, says so, which ends the run, it may come back as if
   /// it had never been called.
   virtual MaybeFailure OnBirths(const std::vector<Individual>& born,
-                           const std::function<bool()>& should_stop) = 0;
+                                const std::function<bool()>& should_stop) = 0;
   /// Everybody once, in the order in which evaluations end; `evidence` has an
   /// item a season. Not those that were evaluated before the run went on.
-  virtual MaybeFailure OnEvaluated(const Individual& one,
-                              const std::vector<SeasonEvidence>& evidence) = 0;
+  virtual MaybeFailure OnEvaluated(
+      const Individual& one, const std::vector<SeasonEvidence>& evidence) = 0;
   virtual MaybeFailure OnGeneration(const GenerationRecord& record) = 0;
 };
 

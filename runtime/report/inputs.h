@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "runtime/evolve/experiment.h"
 #include "grammar/expected.h"
 #include "grammar/failure.h"
+#include "runtime/evolve/experiment.h"
 
 namespace plsc {
 

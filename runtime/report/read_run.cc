@@ -20,7 +20,7 @@ constexpr int kAttempts = 3;
 
 /// Facts and population, of one instant.
 MaybeFailure ReadTables(const std::string& path, const ReadOptions& options,
-                   RunReading& reading) {
+                        RunReading& reading) {
   Database database;
   if (MaybeFailure failure = database.Open(path, Database::Mode::kRead))
     return failure;
@@ -50,8 +50,8 @@ MaybeFailure ReadRobots(RunStore& store, RunReading& reading) {
 }
 
 MaybeFailure ReadAll(const std::string& path, const ReadOptions& options,
-                const std::optional<Experiment>& expected,
-                RunReading& reading) {
+                     const std::optional<Experiment>& expected,
+                     RunReading& reading) {
   RunStore store;
   if (MaybeFailure failure = store.OpenForReading(path)) return failure;
   reading.experiment = store.experiment();

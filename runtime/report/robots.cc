@@ -80,7 +80,8 @@ std::string DrawBody(const Genotype& genotype, const Environment& environment,
 Expected<Portrait, Failure> PortraitOf(RunStore& store, int id) {
   const Expected<Individual, Failure> one = store.Find(id);
   if (!one) return one.error();
-  const Expected<std::vector<SeasonEvidence>, Failure> evidence = store.EvidenceOf(id);
+  const Expected<std::vector<SeasonEvidence>, Failure> evidence =
+      store.EvidenceOf(id);
   if (!evidence) return evidence.error();
   const auto environments =
       EnvironmentsOf(*one, store.experiment().scenario.plasticity);
@@ -100,8 +101,8 @@ Expected<Portrait, Failure> PortraitOf(RunStore& store, int id) {
   return portrait;
 }
 
-Expected<std::vector<RuleCount>, Failure> CountRules(RunStore& store,
-                                          const std::vector<int>& ids) {
+Expected<std::vector<RuleCount>, Failure> CountRules(
+    RunStore& store, const std::vector<int>& ids) {
   std::vector<RuleCount> all;
   for (const int id : ids) {
     const Expected<Individual, Failure> one = store.Find(id);

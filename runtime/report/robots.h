@@ -52,8 +52,8 @@ struct RuleCount {
 };
 
 /// All rules of these robots.
-Expected<std::vector<RuleCount>, Failure> CountRules(RunStore& store,
-                                          const std::vector<int>& ids);
+Expected<std::vector<RuleCount>, Failure> CountRules(
+    RunStore& store, const std::vector<int>& ids);
 
 /// Adds counts of like rules.
 void AddRules(const std::vector<RuleCount>& more, std::vector<RuleCount>& all);

@@ -60,8 +60,9 @@ void AddRun(Database& database, const Experiment& experiment,
 
 }  // namespace
 
-MaybeFailure CreateStoreFile(const std::string& path, const Experiment& experiment,
-                        const Versions& versions, RunLock& lock) {
+MaybeFailure CreateStoreFile(const std::string& path,
+                             const Experiment& experiment,
+                             const Versions& versions, RunLock& lock) {
   return MakeDatabase(
       path,
       [&](Database& database) {

@@ -14,8 +14,7 @@ namespace plsc {
 /// Makes the file as a whole or not at all: `path` must not exist. What went
 /// wrong, or nothing; then `lock` is on it from its first instant.
 MaybeFailure CreateStoreFile(const std::string& path,
-                                           const Experiment& experiment,
-                                           const Versions& versions,
-                                           RunLock& lock);
+                             const Experiment& experiment,
+                             const Versions& versions, RunLock& lock);
 
 }  // namespace plsc

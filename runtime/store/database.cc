@@ -237,7 +237,8 @@ MaybeFailure Database::Open(const std::string& path, Mode mode) {
   is_immutable_ = false;
   real_path_ = mode == Mode::kMemory ? "" : RealPath(path);
   if (mode != Mode::kMemory) {
-    if (MaybeFailure failure = CheckFile(path, mode == Mode::kWrite)) return failure;
+    if (MaybeFailure failure = CheckFile(path, mode == Mode::kWrite))
+      return failure;
     const std::string shown = ShownPath(path);
     const std::optional<FileId> file = FileIdOf(real_path_);
     if (!file || !ConnectedFiles().contains(*file))
@@ -300,8 +301,7 @@ MaybeFailure Database::CheckInPlace() const {
   return CheckInPlace(file_);
 }
 
-MaybeFailure Database::CheckInPlace(
-    const std::optional<FileId>& file) const {
+MaybeFailure Database::CheckInPlace(const std::optional<FileId>& file) const {
   const char* lost = FileIdOf(real_path_) != file                ? ""
                      : FileIdOf(real_path_ + "-wal") != journal_ ? "-wal"
                      : FileIdOf(real_path_ + "-shm") != index_   ? "-shm"
@@ -377,9 +377,9 @@ void Database::Fail(Failure failure) {
 MaybeFailure Database::TakeFailure() {
   // Somebody began to write meanwhile; what was read may be of two instants.
   if (is_immutable_ && StampOf(path_) != stamp_)
-    failure_ = {fmt::format("'{}' was changed while it was read: try again",
-                            path_),
-                Failure::Kind::kChanged};
+    failure_ = {
+        fmt::format("'{}' was changed while it was read: try again", path_),
+        Failure::Kind::kChanged};
   return std::exchange(failure_, std::nullopt);
 }
 

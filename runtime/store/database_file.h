@@ -24,7 +24,6 @@ bool HasNoJournal(const std::string& path);
 MaybeFailure CheckFile(const std::string& path, bool is_writing);
 
 /// What is needed beside it, for the journal and its index.
-MaybeFailure CheckBeside(const std::string& shown,
-                                       bool is_writing);
+MaybeFailure CheckBeside(const std::string& shown, bool is_writing);
 
 }  // namespace plsc

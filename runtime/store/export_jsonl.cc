@@ -71,19 +71,16 @@ std::string GenerationLine(const GenerationRecord& record) {
 
 Expected<Health, Failure> HealthOf(const std::string& run) {
   Database database;
-  if (auto failure = database.Open(run, Database::Mode::kRead))
-    return *failure;
+  if (auto failure = database.Open(run, Database::Mode::kRead)) return *failure;
   const Transaction instant(database);
   Health health = Examine(database);
-  if (auto failure = database.TakeFailure())
-    return *failure;
+  if (auto failure = database.TakeFailure()) return *failure;
   return health;
 }
 
 }  // namespace
 
-MaybeFailure WriteJsonl(const std::string& run,
-                                      const Sink& sink) {
+MaybeFailure WriteJsonl(const std::string& run, const Sink& sink) {
   RunStore store;
   if (auto failure = store.OpenForReading(run)) return failure;
   const Expected<Health, Failure> health = HealthOf(run);

@@ -15,7 +15,6 @@ namespace plsc {
 
 class RunLock {
  public:
-
   RunLock() = default;
   ~RunLock();
   RunLock(const RunLock&) = delete;

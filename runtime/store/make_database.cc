@@ -7,13 +7,11 @@
 
 namespace plsc {
 
-namespace {
-
-}  // namespace
+namespace {}  // namespace
 
 MaybeFailure MakeDatabase(const std::string& path,
-                     const std::function<void(Database&)>& fill,
-                     const std::function<MaybeFailure(int)>& prepare) {
+                          const std::function<void(Database&)>& fill,
+                          const std::function<MaybeFailure(int)>& prepare) {
   Database database;
   if (MaybeFailure failure = database.Open(path, Database::Mode::kMemory))
     return failure;

@@ -15,7 +15,6 @@ namespace plsc {
 
 class NewFile {
  public:
-
   enum class Until : std::uint8_t {
     kNameless,
     kNamed,  ///< for tests: as on file systems that know no nameless files

@@ -22,7 +22,6 @@ IdSpan IdsBornIn(const Experiment& experiment, int generation);
 
 class RowChecks {
  public:
-
   explicit RowChecks(Database& database);
 
   /// What the run is, with its constants.

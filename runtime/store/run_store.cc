@@ -97,7 +97,8 @@ MaybeFailure RunStore::Parts::Connect(Database::Mode mode) {
   if (MaybeFailure failure = database.Open(path, mode)) return failure;
   if (MaybeFailure failure = CheckIdentity(database)) return failure;
   if (mode != Database::Mode::kRead)
-    if (MaybeFailure failure = CheckNothingAdded(database, Schema())) return failure;
+    if (MaybeFailure failure = CheckNothingAdded(database, Schema()))
+      return failure;
   if (MaybeFailure failure = ReadRun()) return failure;
   reader = std::make_unique<RunReader>(database);
   checks = std::make_unique<RowChecks>(database);
@@ -139,8 +140,9 @@ RunStore::~RunStore() {
   Close();
 }
 
-MaybeFailure RunStore::Create(const std::string& path, const Experiment& experiment,
-                         const std::optional<Versions>& versions) {
+MaybeFailure RunStore::Create(const std::string& path,
+                              const Experiment& experiment,
+                              const std::optional<Versions>& versions) {
   parts_ = std::make_unique<Parts>();
   parts_->path = path;
   if (MaybeFailure failure = CheckAbsent(path)) return failure;
@@ -275,7 +277,8 @@ Expected<RunStatus, Failure> RunStore::Status() {
     return *failure;
   status.generations = reader.Generations();
   if (status.generations > 0)
-    if (MaybeFailure failure = parts_->checks->Generation(status.generations - 1))
+    if (MaybeFailure failure =
+            parts_->checks->Generation(status.generations - 1))
       return *failure;
   status.evaluations = reader.Evaluations();
   if (status.generations > 0)
@@ -355,7 +358,8 @@ std::vector<Ancestor> RunStore::Parts::FindLineage(int id, int distance) {
   return lineage;
 }
 
-Expected<std::vector<Ancestor>, Failure> RunStore::Lineage(int id, int distance) {
+Expected<std::vector<Ancestor>, Failure> RunStore::Lineage(int id,
+                                                           int distance) {
   assert(parts_->reader);
   return parts_->Tell(parts_->FindLineage(id, distance));
 }
@@ -390,14 +394,14 @@ MaybeFailure RunStore::EndSession(const SessionEnd& end) {
 }
 
 MaybeFailure RunStore::OnBirths(const std::vector<Individual>& born,
-                           const std::function<bool()>& should_stop) {
+                                const std::function<bool()>& should_stop) {
   assert(parts_->writer);
   if (MaybeFailure failure = parts_->CheckInPlace()) return failure;
   return parts_->writer->Births(born, should_stop);
 }
 
-MaybeFailure RunStore::OnEvaluated(const Individual& one,
-                              const std::vector<SeasonEvidence>& evidence) {
+MaybeFailure RunStore::OnEvaluated(
+    const Individual& one, const std::vector<SeasonEvidence>& evidence) {
   assert(parts_->writer);
   if (MaybeFailure failure = parts_->CheckInPlace()) return failure;
   return parts_->writer->Evaluated(one, evidence);

@@ -14,12 +14,12 @@
 #include <string>
 #include <vector>
 
+#include "grammar/expected.h"
+#include "grammar/failure.h"
 #include "runtime/evolve/experiment.h"
 #include "runtime/evolve/run_observer.h"
 #include "runtime/evolve/saved_run.h"
 #include "runtime/evolve/simulation_cache.h"
-#include "grammar/expected.h"
-#include "grammar/failure.h"
 #include "runtime/store/session.h"
 #include "runtime/store/versions.h"
 
@@ -56,7 +56,7 @@ class RunStore : public RunObserver, public SimulationCache {
   /// Makes the file, which must not exist, for writing. `versions` default to
   /// those of this program; others are for tests.
   MaybeFailure Create(const std::string& path, const Experiment& experiment,
-                 const std::optional<Versions>& versions = std::nullopt);
+                      const std::optional<Versions>& versions = std::nullopt);
   /// For going on with a run: everything is checked first, and a store that is
   /// damaged, or that another process works on, is refused unchanged. So is
   /// one that another program or kind of machine began, unless `any_version`:
@@ -104,9 +104,10 @@ class RunStore : public RunObserver, public SimulationCache {
   MaybeFailure EndSession(const SessionEnd& end);
 
   MaybeFailure OnBirths(const std::vector<Individual>& born,
-                   const std::function<bool()>& should_stop) override;
-  MaybeFailure OnEvaluated(const Individual& one,
-                      const std::vector<SeasonEvidence>& evidence) override;
+                        const std::function<bool()>& should_stop) override;
+  MaybeFailure OnEvaluated(
+      const Individual& one,
+      const std::vector<SeasonEvidence>& evidence) override;
   MaybeFailure OnGeneration(const GenerationRecord& record) override;
 
   /// Never one whose worker died, nor of a store that cannot be read.

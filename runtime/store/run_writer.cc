@@ -167,7 +167,7 @@ RunWriter::RunWriter(Database& database, RunReader& reader,
                                           "count", "survivor"})) {}
 
 MaybeFailure RunWriter::Births(const std::vector<Individual>& born,
-                                     const std::function<bool()>& should_stop) {
+                               const std::function<bool()>& should_stop) {
   Transaction transaction(database_);
   for (const Individual& one : born) {
     if (should_stop && should_stop()) return std::nullopt;
@@ -225,8 +225,8 @@ void RunWriter::AddIndividual(const Individual& one) {
   sum_individual_.With(checksums_.OfIndividual(one.id), one.id).Run();
 }
 
-MaybeFailure RunWriter::Evaluated(
-    const Individual& one, const std::vector<SeasonEvidence>& evidence) {
+MaybeFailure RunWriter::Evaluated(const Individual& one,
+                                  const std::vector<SeasonEvidence>& evidence) {
   Transaction transaction(database_);
   remove_lost_.With(one.id, one.id).Run();
   const std::vector<SeasonResult>& results = one.evaluation.seasons;

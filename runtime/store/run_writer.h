@@ -21,7 +21,6 @@ struct Versions;
 
 class RunWriter {
  public:
-
   /// Seasons by name: their ids in the store. `reader` of the same database.
   RunWriter(Database& database, RunReader& reader,
             std::map<std::string, int> seasons);
@@ -29,10 +28,10 @@ class RunWriter {
   /// Those that are there already must be the same. Writes nothing if
   /// `should_stop` (RunObserver::OnBirths) says so meanwhile.
   MaybeFailure Births(const std::vector<Individual>& born,
-                 const std::function<bool()>& should_stop);
+                      const std::function<bool()>& should_stop);
   /// In the place of what is there only if a worker had died of it.
   MaybeFailure Evaluated(const Individual& one,
-                    const std::vector<SeasonEvidence>& evidence);
+                         const std::vector<SeasonEvidence>& evidence);
   MaybeFailure Completed(const GenerationRecord& record);
 
  private:

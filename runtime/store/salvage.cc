@@ -79,8 +79,7 @@ std::optional<Simulated> Salvage::Find(const Key& key) {
   return found->second;
 }
 
-MaybeFailure Salvage::Add(const Key& /*key*/,
-                              const Simulated& /*simulated*/) {
+MaybeFailure Salvage::Add(const Key& /*key*/, const Simulated& /*simulated*/) {
   return std::nullopt;
 }
 

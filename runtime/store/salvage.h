@@ -19,7 +19,6 @@ namespace plsc {
 
 class Salvage : public SimulationCache {
  public:
-
   /// Reads all there is. Why it is of no use at all, or nothing.
   MaybeFailure Open(const std::string& path);
 

@@ -14,7 +14,7 @@ namespace plsc {
 
 /// That nothing is in the schema but `known`, by kind, name and text, and what
 /// SQLite makes by itself; else the first object that is, by its name.
-MaybeFailure CheckNothingAdded(
-    Database& database, const std::vector<SchemaItem>& known);
+MaybeFailure CheckNothingAdded(Database& database,
+                               const std::vector<SchemaItem>& known);
 
 }  // namespace plsc

@@ -135,14 +135,14 @@ SharedCache::~SharedCache() {
 }
 
 MaybeFailure SharedCache::Open(const std::string& path,
-                                       const std::string& engine) {
+                               const std::string& engine) {
   MaybeFailure failure = OpenFile(path, engine);
   if (failure) Discard();
   return failure;
 }
 
 MaybeFailure SharedCache::OpenFile(const std::string& path,
-                                           const std::string& engine) {
+                                   const std::string& engine) {
   std::error_code error;
   if (!std::filesystem::exists(std::filesystem::symlink_status(path, error))) {
     MaybeFailure failure = MakeDatabase(path, AddTables);
@@ -158,7 +158,8 @@ MaybeFailure SharedCache::OpenFile(const std::string& path,
   if (application != kApplication)
     return fmt::format("'{}' is no cache of plsc", path);
   if (format != kFormat) return WrongFormat(path, format);
-  if (MaybeFailure failure = CheckNothingAdded(database_, Tables())) return failure;
+  if (MaybeFailure failure = CheckNothingAdded(database_, Tables()))
+    return failure;
   database_.Run(kSetUp);
   {
     Transaction transaction(database_);
@@ -229,8 +230,7 @@ std::optional<Simulated> SharedCache::Find(const Key& key) {
   return found;
 }
 
-MaybeFailure SharedCache::Add(const Key& key,
-                                      const Simulated& simulated) {
+MaybeFailure SharedCache::Add(const Key& key, const Simulated& simulated) {
   if (gone_) return std::nullopt;
   const std::string digits = Hex(key);
   const std::string value = ToHex(Pack({simulated}));

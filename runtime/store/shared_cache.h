@@ -23,7 +23,6 @@ std::string ThisEngine();
 /// of a fork.
 class SharedCache : public SimulationCache {
  public:
-
   SharedCache();
   ~SharedCache() override;
   SharedCache(const SharedCache&) = delete;
@@ -31,7 +30,7 @@ class SharedCache : public SimulationCache {
 
   /// Makes the file if it is not there. What is wrong with it, or nothing.
   MaybeFailure Open(const std::string& path,
-               const std::string& engine = ThisEngine());
+                    const std::string& engine = ThisEngine());
 
   /// Ends its use as if it had never begun: a file that Open made is deleted.
   void Discard();
@@ -56,7 +55,7 @@ class SharedCache : public SimulationCache {
   std::unique_ptr<Statements> statements_;
   std::string engine_;
   std::int64_t engine_id_ = 0;
-  MaybeFailure gone_;         // why it is not used any more
+  MaybeFailure gone_;    // why it is not used any more
   int damaged_ = 0;      // entries
   bool is_new_ = false;  // made by this object
 };

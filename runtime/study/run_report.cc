@@ -60,8 +60,7 @@ RunReport ReportOn(const std::string& folder, const Study& study,
   // one that nobody works on.
   const std::optional<std::string> worker = WhoWorksOn(path);
   RunStore store;
-  if (auto failure = store.OpenForReading(path))
-    return Damaged(*failure);
+  if (auto failure = store.OpenForReading(path)) return Damaged(*failure);
   if (store.experiment() != ExperimentOf(study, run))
     return Damaged(fmt::format(
         "'{}' is a run of another experiment or seed than the study's", path));

@@ -142,8 +142,8 @@ Expected<Study, Failure> StudyIn(const std::string& folder) {
                     folder, kFile));
   Result<Study> study = ParseStudy(Source(path, *text));
   if (!study)
-    return Failure(fmt::format(
-        "'{}' is damaged: {}", path, study.diagnostics().front().message));
+    return Failure(fmt::format("'{}' is damaged: {}", path,
+                               study.diagnostics().front().message));
   return std::move(*study);
 }
 

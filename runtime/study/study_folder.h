@@ -16,13 +16,11 @@ namespace plsc {
 /// Makes the folder, unless it is there already and of the same study. What is
 /// wrong, or nothing; a folder of another study is refused with the first line
 /// in which they differ, and nothing in it is changed.
-MaybeFailure PrepareFolder(const std::string& folder,
-                                         const Study& study);
+MaybeFailure PrepareFolder(const std::string& folder, const Study& study);
 
 /// That the folder is still this study's: it may be deleted or moved while the
 /// study is run.
-MaybeFailure CheckFolder(const std::string& folder,
-                                       const Study& study);
+MaybeFailure CheckFolder(const std::string& folder, const Study& study);
 
 /// The study that a folder is of.
 Expected<Study, Failure> StudyIn(const std::string& folder);

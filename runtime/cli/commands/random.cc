@@ -67,7 +67,7 @@ Expected<std::vector<Genotype>, Exit> DrawPopulation(
 }
 
 Expected<std::vector<Genotype>, Exit> Draw(const RandomCommand& command,
-                                               Io& io) {
+                                           Io& io) {
   if (!command.experiment.empty()) return DrawPopulation(command, io);
   if (command.seed) return DrawSome(command);
   io.err << "plsc: --seed or --experiment is required\n"
@@ -81,8 +81,7 @@ Exit Run(const RandomCommand& command, Io& io) {
   const auto drawn = Draw(command, io);
   if (!drawn) return drawn.error();
   std::vector<std::string> texts;
-  for (const Genotype& one : *drawn)
-    texts.push_back(Print(one));
+  for (const Genotype& one : *drawn) texts.push_back(Print(one));
   const std::string text = JoinGenotypes(texts);
   // A name such as `rule` or `2nd` for a state comes from the command line;
   // the language decides whether it is one. The same states for all.

@@ -56,7 +56,8 @@ struct Stored {
   std::vector<SeasonEvidence> evidence;
 };
 
-Expected<std::vector<Stored>, Failure> Load(RunStore& store, std::span<const int> ids) {
+Expected<std::vector<Stored>, Failure> Load(RunStore& store,
+                                            std::span<const int> ids) {
   using Batch = Expected<std::vector<Stored>, Failure>;
   std::vector<Stored> batch;
   for (const int id : ids) {
@@ -64,7 +65,8 @@ Expected<std::vector<Stored>, Failure> Load(RunStore& store, std::span<const int
     if (!one) return one.error();
     if (one->evaluation.seasons.empty())
       return Failure(fmt::format("{} is not evaluated yet", id));
-    Expected<std::vector<SeasonEvidence>, Failure> evidence = store.EvidenceOf(id);
+    Expected<std::vector<SeasonEvidence>, Failure> evidence =
+        store.EvidenceOf(id);
     if (!evidence) return evidence.error();
     batch.push_back({std::move(*one), std::move(*evidence)});
   }

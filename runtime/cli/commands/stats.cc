@@ -46,8 +46,7 @@ Exit TellOne(const LoadedFile& file, std::size_t index,
     return Exit::kBadInput;
   }
   if (command.format == OutputFormat::kJson)
-    io.out << StatsJson(PathOf(file, index), program.genotype, *stats)
-           << '\n';
+    io.out << StatsJson(PathOf(file, index), program.genotype, *stats) << '\n';
   else
     io.out << StatsText(program.genotype, *stats) << '\n';
   return Exit::kFine;

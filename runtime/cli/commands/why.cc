@@ -137,7 +137,7 @@ struct Question {
 
 // Of a file, or of a run, whose seasons are the environments then.
 Expected<LoadedProgram, Exit> Load(const WhyCommand& command,
-                                       const FileAndPlace& from, Io& io) {
+                                   const FileAndPlace& from, Io& io) {
   if (!IsRobotNamed(from.file, command.individual, io)) return Exit::kBadUsage;
   if (command.individual.empty()) {
     auto loaded = LoadWithMap(from.file, command.allow_range, io, from.place);

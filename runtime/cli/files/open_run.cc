@@ -47,8 +47,8 @@ Expected<int, Failure> IdOf(RunStore& store, const std::string& name) {
   return id;
 }
 
-Expected<std::vector<int>, Failure> IdsOf(RunStore& store,
-                               const std::vector<std::string>& names) {
+Expected<std::vector<int>, Failure> IdsOf(
+    RunStore& store, const std::vector<std::string>& names) {
   using Ids = Expected<std::vector<int>, Failure>;
   std::vector<int> ids;
   for (const std::string& name :
@@ -62,8 +62,7 @@ Expected<std::vector<int>, Failure> IdsOf(RunStore& store,
 
 Expected<std::vector<int>, Failure> EvaluatedIds(RunStore& store) {
   Expected<std::vector<int>, Failure> ids = store.EvaluatedIds();
-  if (ids && ids->empty())
-    return Failure("nobody is evaluated yet");
+  if (ids && ids->empty()) return Failure("nobody is evaluated yet");
   return ids;
 }
 

@@ -20,8 +20,8 @@ Exit Complain(const Failure& failure, Io& io);
 /// A number, or "best": the best of the last completed generation.
 Expected<int, Failure> IdOf(RunStore& store, const std::string& name);
 /// Likewise; the best if there are no names.
-Expected<std::vector<int>, Failure> IdsOf(RunStore& store,
-                               const std::vector<std::string>& names);
+Expected<std::vector<int>, Failure> IdsOf(
+    RunStore& store, const std::vector<std::string>& names);
 /// Everybody who was evaluated, by id.
 Expected<std::vector<int>, Failure> EvaluatedIds(RunStore& store);
 

@@ -129,7 +129,7 @@ Png Draw(const Functions& call, Opaque* handle, const Rectangle& size) {
 }  // namespace
 
 Expected<std::string, Failure> PngOf(const std::string& svg, double scale,
-                          const PngLibraries& libraries) {
+                                     const PngLibraries& libraries) {
   const Library rsvg(libraries.rsvg);
   const Library cairo(libraries.cairo);
   const Library gobject(libraries.gobject);

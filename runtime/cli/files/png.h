@@ -20,6 +20,6 @@ struct PngLibraries {
 
 /// The bytes of a PNG of `scale` pixels per px of the SVG; or what is missing.
 Expected<std::string, Failure> PngOf(const std::string& svg, double scale,
-                          const PngLibraries& libraries = {});
+                                     const PngLibraries& libraries = {});
 
 }  // namespace plsc::cli

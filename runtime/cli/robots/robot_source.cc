@@ -83,8 +83,7 @@ bool PutInto(const std::string& scenario_file, RobotFound& robot, Io& io) {
 }  // namespace
 
 Expected<RobotOfRun, Exit> FindInStore(const std::string& run,
-                                           const std::string& individual,
-                                           Io& io) {
+                                       const std::string& individual, Io& io) {
   RunStore store;
   if (const auto failure = store.OpenForReading(run))
     return Complain(*failure, io);

@@ -46,8 +46,7 @@ struct RobotOfRun {
 };
 /// By an id or "best". Prints what is wrong.
 Expected<RobotOfRun, Exit> FindInStore(const std::string& run,
-                                           const std::string& individual,
-                                           Io& io);
+                                       const std::string& individual, Io& io);
 
 /// False if the file is a run and nobody of it is named, which is said.
 bool IsRobotNamed(const std::string& file, const std::string& individual,

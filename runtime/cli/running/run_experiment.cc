@@ -62,7 +62,8 @@ bool IsNew(const RunRequest& request) {
 
 /// The store of a run to go on with, or what is wrong.
 MaybeFailure OpenStore(const RunRequest& request, RunStore& store) {
-  if (MaybeFailure failure = store.Open(request.path, request.allow_other_version)) {
+  if (MaybeFailure failure =
+          store.Open(request.path, request.allow_other_version)) {
     // So damaged that the store has no more to say.
     if (failure->kind == Failure::Kind::kMalformed)
       failure->text += fmt::format(
@@ -182,7 +183,8 @@ void Live(const RunRequest& request, Stores& stores, SavedRun saved,
 /// The shared cache and the log, if they are wanted.
 MaybeFailure OpenOthers(const RunRequest& request, Stores& stores) {
   if (!request.json_log.empty())
-    if (MaybeFailure failure = stores.log.Open(request.json_log)) return failure;
+    if (MaybeFailure failure = stores.log.Open(request.json_log))
+      return failure;
   if (request.cache.empty()) return std::nullopt;
   return stores.cache.emplace().Open(request.cache);
 }
@@ -190,15 +192,16 @@ MaybeFailure OpenOthers(const RunRequest& request, Stores& stores) {
 /// All that the run needs, its session begun. What is there already is opened,
 /// and looked through, before anything is made.
 MaybeFailure OpenAll(const RunRequest& request, Stores& stores,
-                RunOutcome& outcome) {
+                     RunOutcome& outcome) {
   const bool is_new = IsNew(request);
   RunStore& store = stores.run;
   const auto check_lock = [&](MaybeFailure failure) {
     if (failure) outcome.is_locked = WhoWorksOn(request.path).has_value();
     return failure;
   };
-  if (MaybeFailure failure = check_lock(is_new ? RunStore::CheckCreate(request.path)
-                                          : OpenStore(request, store)))
+  if (MaybeFailure failure =
+          check_lock(is_new ? RunStore::CheckCreate(request.path)
+                            : OpenStore(request, store)))
     return failure;
   if (MaybeFailure failure = OpenOthers(request, stores)) return failure;
   if (is_new)

@@ -18,8 +18,8 @@ const std::string kText =
 TEST_CASE("Statistics count what each rule did", "[genotype_stats]") {
   const Program program = test::CompileText(kText);
   const auto result = StatsOf(program.genotype, program.environments);
-  REQUIRE(result.stats);
-  const GenotypeStats& stats = *result.stats;
+  REQUIRE(result);
+  const GenotypeStats& stats = *result;
   CHECK(stats.rules == 3);
   CHECK(stats.terms == 2);
   CHECK(stats.symbols == 11);
@@ -86,8 +86,8 @@ TEST_CASE("Statistics name the environment that outgrows its limit",
       "rule C -> { C B }\nrule B -> if wet = True then { B B }\n"
       "environment dry { wet = False }\nenvironment wet { wet = True }\n");
   const auto result = StatsOf(program.genotype, program.environments);
-  CHECK_FALSE(result.stats);
-  CHECK(result.outgrown_in == 1);
+  CHECK_FALSE(result);
+  CHECK(result.error().environment == 1);
 }
 
 }  // namespace

@@ -78,7 +78,7 @@ void DamageOften(int times, std::uint64_t seed) {
     const auto failure = store.Open(path);
     if (failure) {
       ++refused;
-      CHECK(failure->find(path) != std::string::npos);
+      CHECK(failure->text.find(path) != std::string::npos);
       CHECK(test::ReadBytes(path) == bytes);
       CHECK(scratch.Files() == std::vector<std::string>{"run"});
       // Even so it may be read as far as that goes.

@@ -129,7 +129,7 @@ TEST_CASE("A store gives back all that it was shown, bit for bit",
     }
   }
   CHECK_FALSE(again.Find(Key{1, 2}));
-  CHECK(again.Find(33).failure() ==
+  CHECK(again.Find(33).error().text ==
         "'" + (scratch / "run.sqlite") + "' has no robot 33");
   auto status = again.Status();
   REQUIRE(status);
@@ -222,8 +222,9 @@ TEST_CASE("Who is born otherwise than before does not go on", "[run_store]") {
   born[2].heritage.senses = {{"inclined", "True"}};
   const auto failure = store.OnBirths(born, {});
   REQUIRE(failure);
-  CHECK(failure->find("robot 11 of") == 0);
-  CHECK(failure->find("another version of the program") != std::string::npos);
+  CHECK(failure->text.find("robot 11 of") == 0);
+  CHECK(failure->text.find("another version of the program") !=
+        std::string::npos);
   // It can be used still, and nothing was changed.
   CHECK(store.Find(11));
   CHECK(Dump(scratch / "run") == before);
@@ -242,7 +243,7 @@ TEST_CASE("A simulation that ends otherwise than before is refused",
   one.evaluation.seasons[0].steps += 1;
   const auto failure = store.OnEvaluated(one, evidence);
   REQUIRE(failure);
-  CHECK(failure->find("ended otherwise now") != std::string::npos);
+  CHECK(failure->text.find("ended otherwise now") != std::string::npos);
   // A result that does not follow from its evidence is our own mistake.
   one.evaluation.seasons[0].steps += 1;
   CHECK(store.OnEvaluated(one, evidence));
@@ -342,7 +343,7 @@ TEST_CASE("Another version of the program does not go on", "[run_store]") {
   REQUIRE(store.Close() == std::nullopt);
   const auto failure = store.Open(scratch / "run");
   REQUIRE(failure);
-  CHECK(failure->find("was begun with") != std::string::npos);
+  CHECK(failure->text.find("was begun with") != std::string::npos);
   // But it can be read.
   CHECK(store.OpenForReading(scratch / "run") == std::nullopt);
   CHECK(store.versions() == versions);

@@ -245,7 +245,8 @@ TEST_CASE("A cache without checksums is refused with what to do",
       REQUIRE_FALSE(database.TakeFailure());
     }
     const std::string before = test::ReadBytes(scratch.path());
-    const std::string failure = SharedCache().Open(scratch.path()).value_or("");
+    const std::string failure =
+        SharedCache().Open(scratch.path()).value_or("").text;
     CHECK(test::ReadBytes(scratch.path()) == before);
     return failure;
   };

@@ -107,7 +107,7 @@ std::string Show(const Recorder& recorder, RunStore& store, int order,
     if (is_last || failure) break;
     failure = store.OnGeneration(recorder.generations[g]);
   }
-  return failure.value_or("");
+  return failure.value_or("").text;
 }
 
 void WriteRun(const std::string& path, int generations) {

@@ -32,7 +32,8 @@ TEST_CASE("a run without a generation has no best", "[open_run]") {
   REQUIRE_FALSE(store.Create(folder / "run", Experiment{}));
   CHECK(cli::IdOf(store, "best").error().text.find("no generation") !=
         std::string::npos);
-  CHECK(cli::EvaluatedIds(store).error().text.find("nobody") != std::string::npos);
+  CHECK(cli::EvaluatedIds(store).error().text.find("nobody") !=
+        std::string::npos);
 }
 
 TEST_CASE("a database is known by its first bytes", "[open_run]") {

@@ -22,7 +22,7 @@ TEST_CASE("a PNG has the size of the SVG times the scale", "[png]") {
   for (const Row& row : {Row{1, 30, 20}, Row{2.5, 75, 50}, Row{0.05, 2, 1}}) {
     INFO(row.scale);
     const auto png = cli::PngOf(kPicture, row.scale);
-    INFO(png.error());
+    INFO((png ? "" : png.error().text));
     REQUIRE(png);
     const auto size = test::PngSizeOf(*png);
     REQUIRE(size);
@@ -69,7 +69,8 @@ TEST_CASE("a missing library is named with its package", "[png]") {
   const auto png = cli::PngOf(kPicture, 1, libraries);
   REQUIRE_FALSE(png);
   CHECK(png.error().text.find("libnone.so.7 is missing") != std::string::npos);
-  CHECK(png.error().text.find("apt-get install librsvg2-2") != std::string::npos);
+  CHECK(png.error().text.find("apt-get install librsvg2-2") !=
+        std::string::npos);
   // There, but another library.
   libraries.rsvg = "libc.so.6";
   CHECK(cli::PngOf(kPicture, 1, libraries).error().text.find("2.52") !=
