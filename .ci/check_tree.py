@@ -151,6 +151,39 @@ def check_concepts(problems):
             problems.append(f"{folder}: {count} concepts, more than {MOST_CONCEPTS}")
 
 
+def check_table(problems):
+    """docs/architecture.md shows these rooms, in this order, with their arrows."""
+    rows = re.findall(r"^\| `([a-z/]+)/` \|.*\| ([^|]+) \|$",
+                      (ROOT / "docs/architecture.md").read_text(), re.MULTILINE)
+
+    def short(name):
+        return "all before cli" if name == "*" else name.removeprefix("runtime/")
+
+    wanted = [(short(folder), ", ".join(map(short, names.split())) or "-")
+              for folder, names in ARROWS.items()]
+    if [room for room, _ in rows] != [room for room, _ in wanted]:
+        problems.append("docs/architecture.md: the table's rooms are not those of ARROWS")
+        return
+    for (room, shown), (_, names) in zip(rows, wanted):
+        if set(shown.split(", ")) != set(names.split(", ")):
+            problems.append(f"docs/architecture.md: {room}/ may include: {names}")
+
+
+def check_paths(problems):
+    """Documents name files, folders and concepts that exist."""
+    path = re.compile(r"(?<![\w/.-])(?:grammar|compiler|sim|runtime|tests)/[\w/.*-]+")
+    example = ("tests/a/", "tests/fuzz/corpus/TARGET")
+    for document in [ROOT / "README.md", *(ROOT / "docs").rglob("*.md"),
+                     *(f / "README.md" for f in {s.parent for s in SOURCES})]:
+        if not document.exists() or "node_modules" in document.parts:
+            continue
+        for found in sorted(set(path.findall(document.read_text()))):
+            name = found.rstrip("./-")
+            if name.startswith(example) or any(ROOT.glob(name)) or any(ROOT.glob(name + ".*")):
+                continue
+            problems.append(f"{document.relative_to(ROOT)}: there is no {name}")
+
+
 def check_folders(problems):
     """Every folder says what is in it, and what is not."""
     for base in ("grammar", "compiler", "sim", "runtime", "tests"):
@@ -209,6 +242,8 @@ def main():
     check_arrows(problems)
     check_includes(problems)
     check_concepts(problems)
+    check_table(problems)
+    check_paths(problems)
     check_folders(problems)
     check_lists(problems)
     check_mirror(problems)

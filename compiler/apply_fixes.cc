@@ -1,3 +1,20 @@
+// Compile, make the fixes that diagnostics offer, compile again: a fix may
+// uncover errors that the mended one hid, and fixes may be wrong guesses. In a
+// round all fixes are made that do not touch each other, earlier ones first;
+// those of one diagnostic together or not at all, since half of a change is
+// another error.
+//
+// No fix is trusted. The best text so far is kept by the number of its errors,
+// and only that is handed out, so that the result never has more errors than
+// the source. First all fixes are made at once and more errors are put up with
+// for some rounds, because what hides behind a broken item comes out only when
+// it is mended. If that leads nowhere, fixes are tried one by one, so that a
+// bad one cannot keep the good ones from being made.
+//
+// It ends because a text is never gone on from twice (fixes may undo each
+// other) and by kMaxRounds. kMaxRounds compilations a path at most; real files
+// need a few.
+
 #include "compiler/apply_fixes.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #pragma once
 
 // What a genotype file expects of its own development: `test` items. Data
-// only; runtime/inline_test develops and compares.
+// only; runtime/advice/expectations develops and compares.
 
 #include <cstdint>
 #include <optional>

@@ -1,3 +1,19 @@
+// A formatter that moves items must carry comments along and lose none. So the
+// file is cut first: each item becomes a Part with the run of comments that
+// belongs to it, the runs follow each other in file order, and what is left
+// behind the last item is the tail. Every comment is thus in exactly one place,
+// and writing all parts writes every comment once, in whatever order the parts
+// come. Writing then keeps an index of the next comment and moves it only
+// forward.
+//
+// Parts are sorted stably by section, kind and (rules) head. Stably, because
+// the order of rules of one head is their order when they are joined, and the
+// order of environments is that of tables: it means something and must stay.
+//
+// Formatting what was formatted changes nothing; tests and the fuzzer hold it
+// to that. Whoever adds a blank line or a break here must make sure that it is
+// seen as the same one when read again. Linear but for the sort.
+
 #include "compiler/layout.h"
 
 #include <algorithm>

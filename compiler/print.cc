@@ -3,6 +3,7 @@
 #include <array>
 #include <cassert>
 #include <charconv>
+#include <cmath>
 #include <string_view>
 
 #include "compiler/item_text.h"

@@ -1,3 +1,15 @@
+// Every name in rules, environments and tests becomes a number, in arrays
+// parallel to the pools of the tree: symbol i of the file is symbol i of the
+// result. The tree itself stays as it was written, which diagnostics, the
+// formatter and the language server need. What cannot be found is reported here
+// and left empty; the stages behind skip what is empty, so that a mistake is
+// told once, by the first stage that can see it.
+//
+// Finding is one look into a hash table a name. Expensive is what is said about
+// names that are not found, a search for similar ones among all that exist
+// (grammar/suggest). It is done only for reports that are kept, kMaxReported at
+// most, however many names of a file are unknown.
+
 #include "compiler/resolve.h"
 
 #include <fmt/format.h>
@@ -63,6 +75,7 @@ class Resolver {
       ResolvedTerm& resolved = result_.terms[rule.terms.first + k];
       resolved = ResolveTerm(term.state, term.value);
       if (!resolved) continue;
+      // The tree's operators and the IR's are in the same order.
       resolved->comparison = static_cast<Comparison>(term.comparison);
       if (!IsOrdered(resolved->state) && term.comparison != kEqual &&
           term.comparison != kNotEqual) {

@@ -1,3 +1,19 @@
+// One pass over the items of the header, in file order, before any rule is
+// looked at: items may stand in any order, so a rule may use what is declared
+// below it. Of several declarations of one thing the first counts and the
+// others are reported with its place.
+//
+// What is wrong is declared all the same, as far as that makes sense: a state
+// with an empty range is still a state. Otherwise one mistake would be reported
+// again at every use. For the same reason nothing is missed in a file of which
+// an item did not parse (is_incomplete), as that may be the item, and without a
+// known alphabet there is none (nullptr), so that no symbol is held to a
+// wrong one.
+//
+// Names are found by hashing, and reports end at kMaxReported: linear in the
+// file, whatever is in it. A hostile file has 10^5 names and every one of them
+// wrong.
+
 #include "compiler/scope.h"
 
 #include <fmt/format.h>
@@ -188,6 +204,7 @@ class Declarer {
       reporter_.Report(
           Code::kLimit, spans[kMaxSymbols],
           fmt::format("a state has at most {} values", kMaxSymbols));
+      // A state that is well formed, so that nothing else is said of it.
       return {"a", "b"};
     }
     for (const Span span : spans) {

@@ -1,3 +1,21 @@
+// Which environments have to be looked at to know what holds in all. There are
+// as many as doubles for a real state, but clauses compare with constants only,
+// so between two neighbouring thresholds no clause changes its mind. Each
+// state's values are cut into classes that no term tells apart, and the
+// environments of the space are the products of classes, one member standing
+// for each. What is true of every member is true everywhere: linting, regimes,
+// trimming and comparisons rest on this.
+//
+// A threshold cuts a range once or twice. `t < 5` tells what is below 5 from 5;
+// `t <= 5` tells 5 from what is above; `t = 5` does both, and 5 is a class by
+// itself. A class counts only if some double lies in it: between neighbouring
+// doubles there is none, and to report the environment "t > a and t < next
+// after a" would be to warn of nothing.
+//
+// The number of environments is a product and explodes; beyond kMaxCombinations
+// there is no size, and whoever asks must do without (it is checked after each
+// factor, so the product never overflows).
+
 #include "compiler/state_space.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,14 @@
+// Comments that give orders. What an order is about is an item, found by the
+// rule by which the formatter decides where a comment goes (layout.h): with
+// another rule formatting a file would move a warning out from under the
+// comment that silences it. Items do not overlap and stand in order, so a
+// binary search finds the neighbours of a comment.
+//
+// A diagnostic is silenced if its begin lies in an item whose comments allow
+// its code. Only codes of warnings are accepted; an error that could be
+// silenced would let a broken genotype through. Orders that do nothing (no
+// item, no such code) are warned of, as their writer believes in them.
+
 #include "compiler/suppress.h"
 
 #include <fmt/format.h>

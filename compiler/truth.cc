@@ -1,3 +1,21 @@
+// A clause has no parentheses and `and` binds tighter than `or`: it is a
+// disjunction of conjunctions. One pass from left to right with two values is
+// therefore enough to evaluate it: the conjunction that is being read
+// (`group`), and the disjunction of those that are finished. The pass is
+// written three times, over a truth value (ClauseHolds, for development), over
+// a table of 64 environments a word (Tabulate) and over a single word
+// (CountWord). They must agree: what a warning says of a clause would else not
+// be what robots do. Tests compare them environment by environment.
+//
+// Tables are made without asking any row. A StateSpace counts its environments
+// like an odometer, the last state fastest, so that the rows in which one term
+// holds are runs of `stride` bits, repeated with a period of stride times the
+// number of the state's classes. Terms times rows / 64 operations: of 16 bool
+// states a term is a thousand words.
+//
+// Bits beyond the last row are 0 at all times. Count and First look at whole
+// words; a bit left there would be an environment that does not exist.
+
 #include "compiler/truth.h"
 
 #include <algorithm>
@@ -42,7 +60,8 @@ TruthTable TabulateTerm(const Term& term, const StateSpace& space) {
   const std::size_t stride = space.stride(position);
   const auto size = static_cast<std::size_t>(*space.size());
   const std::size_t period = stride * classes.size();
-  // Most periods fit a word many times: make one word of it.
+  // Most periods fit a word many times: make one word of it. Those that do not
+  // divide 64 (an enum of three values) fall otherwise in each word.
   const bool is_short = 64 % period == 0;
   TruthTable table(is_short ? 64 : *space.size(), false);
   const std::size_t made = is_short ? 64 : size;

@@ -1,3 +1,19 @@
+// What must be true of a genotype whoever made it, in one place and apart from
+// the compiler: its checks speak to users about a text, these speak to us about
+// values that have none (evolved, crossed, imported, read from a store).
+// Whatever passes can be printed, compiled to an equal value, and developed
+// without further checks; development and evolution index by state, symbol and
+// rule and would read beyond their arrays if this were wrong.
+//
+// Two of the conditions look like pedantry and are about bits. A zero must be
+// positive where the value is a choice (bool and enum states, unused
+// arguments): -0 equals 0 but is not written as such, and what is read back
+// would differ from it in a bit. Whole numbers stay within 2^53, beyond which a
+// double no longer is the number that was written.
+//
+// One pass, linear in the IR; sentences are made only where something fails, as
+// tests and fuzzers ask of very many genotypes in which nothing does.
+
 #include "compiler/verify.h"
 
 #include <fmt/format.h>

@@ -74,13 +74,13 @@ LinePart PartOf(std::string_view line, std::uint32_t line_begin,
 }
 
 // One source line with the mark repeated under the bytes of the place.
-std::string ShowPlace(const Source& source, const Place& place,
-                      std::size_t gutter, const Painter& paint) {
+std::string RenderPlace(const Source& source, const Place& place,
+                        std::size_t gutter, const Painter& paint) {
   const Span span = place.span;
   const int line_number = source.PositionOf(span.begin).line;
   const LinePart part = PartOf(source.Line(line_number),
                                source.LineBegin(line_number), span.begin);
-  const ShownLine shown = Show(part.text);
+  const ShownLine shown = ShownLineOf(part.text);
   const auto column_at = [&](std::uint32_t offset) {
     return shown.column_of_byte[std::min<std::size_t>(offset - part.begin,
                                                       part.text.size())];
@@ -106,12 +106,12 @@ std::string ShowPlace(const Source& source, const Place& place,
   return text + paint(place.ink, marks) + "\n";
 }
 
-std::string ShowPlaceAndName(const Source& source, const Place& place,
-                             std::size_t gutter, const Painter& paint) {
+std::string RenderPlaceAndName(const Source& source, const Place& place,
+                               std::size_t gutter, const Painter& paint) {
   const Position at = source.PositionOf(place.span.begin);
   return paint(kBlue, fmt::format("{:>{}}--> ", "", gutter)) +
          fmt::format("{}:{}:{}\n", Escaped(source.name()), at.line, at.column) +
-         ShowPlace(source, place, gutter, paint);
+         RenderPlace(source, place, gutter, paint);
 }
 
 // What is not shown, of `total` that were found and `shown` that are.
@@ -200,11 +200,11 @@ std::string Render(const Diagnostic& diagnostic, const Source& source,
                                        NumberOf(diagnostic.code));
   std::string text =
       paint(ink, kind) + paint(kBold, ": " + Clip(diagnostic.message)) + "\n";
-  text += ShowPlaceAndName(
+  text += RenderPlaceAndName(
       source, {diagnostic.span, '^', diagnostic.label, ink}, gutter, paint);
   for (const Label& other : diagnostic.others)
-    text +=
-        ShowPlace(source, {other.span, '-', other.text, kBlue}, gutter, paint);
+    text += RenderPlace(source, {other.span, '-', other.text, kBlue}, gutter,
+                        paint);
   const std::string mark = paint(kBlue, fmt::format("{:>{}} = ", "", gutter));
   for (const std::string& note : diagnostic.notes)
     text += mark + paint(kBold, "note") + ": " + Clip(note) + "\n";
@@ -217,7 +217,7 @@ std::string RenderPlace(Span span, const std::string& label,
                         const Source& source) {
   const std::size_t gutter =
       std::to_string(source.PositionOf(span.begin).line).size();
-  return ShowPlaceAndName(source, {span, '^', label, kRed}, gutter, {});
+  return RenderPlaceAndName(source, {span, '^', label, kRed}, gutter, {});
 }
 
 std::string Render(std::vector<Diagnostic> diagnostics, const Source& source,

@@ -59,7 +59,7 @@ std::string ShownLine::Text(std::size_t from, std::size_t count) const {
   return text;
 }
 
-ShownLine Show(std::string_view line) {
+ShownLine ShownLineOf(std::string_view line) {
   ShownLine shown;
   for (std::size_t i = 0; i < line.size();) {
     const std::size_t column = shown.columns.size();
@@ -102,7 +102,7 @@ std::string Escaped(std::string_view text) {
 
 std::string Printable(std::string_view text, std::size_t limit) {
   // No character has more than four bytes, so more need not be looked at.
-  const ShownLine shown = Show(text.substr(0, 4 * (limit + 1)));
+  const ShownLine shown = ShownLineOf(text.substr(0, 4 * (limit + 1)));
   std::string printable = shown.Text(0, limit);
   if (shown.columns.size() > limit) printable += "...";
   return printable;

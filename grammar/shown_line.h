@@ -22,7 +22,7 @@ struct ShownLine {
   std::string Text(std::size_t from, std::size_t count) const;
 };
 
-ShownLine Show(std::string_view line);
+ShownLine ShownLineOf(std::string_view line);
 
 /// One line of text with every unprintable character as '?', cut to `limit`
 /// characters and "..." if it is longer.

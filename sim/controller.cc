@@ -1,3 +1,19 @@
+// The paper's Eq. 1 and a servo as the authors' program has it
+// (NeuralNetwork.cpp:369-382, PositionMotor.cpp:95-133). In their runs neither
+// inputs nor loops reach the output: weighted sums are computed and not used,
+// and the weights are never loaded. So kOpenLoop is what was published, and
+// kCoupled, which adds them up, is our reading of the paper's prose.
+//
+// Outputs are a function of time and not of a phase that is carried along:
+// after any number of updates there is no drift, and a life that goes on in
+// another season swings on where it was. In the coupled mode weights are added
+// in the order of the brain's connections, which is thereby part of the result;
+// the exported controllers repeat it operation by operation
+// (runtime/exports/controller_header) and are compared bit for bit. Whoever
+// reorders an expression here changes every stored run.
+//
+// Nodes times edges an update, eight updates a second.
+
 #include "sim/controller.h"
 
 #include <algorithm>

@@ -1,3 +1,13 @@
+// Two boxes are apart if and only if some plane separates them, and of all
+// planes the fifteen need to be tried that are parallel to a face of either or
+// to an edge of each (Gottschalk, Lin and Manocha 1996). On each normal the
+// boxes are shadows: an interval about the centre, half as long as Reach. Links
+// times boxes squared; a robot has some tens of boxes, and is tested once, so
+// there is no tree and no grid.
+//
+// The tolerance is on the side of "apart": boxes that only touch must not be
+// refused for the last bit of a rounded sum.
+
 #include "sim/overlap.h"
 
 #include <Eigen/Geometry>

@@ -1,3 +1,12 @@
+// The ground changes within one instant under a robot that lives on. On planes
+// it is turned with the robot on it, about the origin, so in the ground's own
+// frame nothing has happened: contacts, poses and speeds are the same, only
+// gravity comes from elsewhere. To put it down anew would be a fall or a rest
+// that the robot did not have. Rough ground and boxes have no such frame: there
+// the robot is raised or lowered besides, never moved sideways, until its
+// lowest point clears the new ground, so that the physics does not begin with
+// links inside of it. The joints' state is carried as it is in all cases.
+
 #include "sim/passage.h"
 
 #include <algorithm>

@@ -1,3 +1,10 @@
+// Steps are counted in whole numbers, and each event's step is computed from
+// its ordinal: round(k * interval / step). Were intervals added up instead,
+// rounding errors would add up with them until a step is gained or lost. kLate
+// is the clock of the authors' program, which waits until more than an interval
+// has passed and starts counting anew (RobotController.cpp:243); at a step of 5
+// ms its eight updates a second come every 130 ms.
+
 #include "sim/schedule.h"
 
 #include <algorithm>

@@ -23,7 +23,7 @@ const char* NameOfParts(ast::ItemKind kind) {
   return kind == ast::ItemKind::kEnvironment ? "entry" : "symbol";
 }
 
-std::string ShownPart(const WrittenPart* part) {
+std::string PartTextOf(const WrittenPart* part) {
   return part == nullptr ? "" : PartText(part->content);
 }
 
@@ -34,7 +34,7 @@ std::string TermText(const PartContent& term) {
                      term.name, term.values[1], term.values[2]);
 }
 
-std::string ShownTerm(const WrittenPart* term) {
+std::string TermTextOf(const WrittenPart* term) {
   return term == nullptr ? "" : TermText(term->content);
 }
 
@@ -117,8 +117,8 @@ class ItemMerger {
     for (const PartClash& clash : merged.clashes)
       merged_.clashes.push_back({clash.kind,
                                  fmt::format("term {}", clash.position),
-                                 ShownTerm(clash.base), ShownTerm(clash.ours),
-                                 ShownTerm(clash.theirs)});
+                                 TermTextOf(clash.base), TermTextOf(clash.ours),
+                                 TermTextOf(clash.theirs)});
     if (!merged.clashes.empty()) return;
     if (has_comment || !AreJoined(merged.parts))
       return Clash("the clause", ClauseOf(base_), ClauseOf(ours_),
@@ -157,8 +157,8 @@ class ItemMerger {
       merged_.clashes.push_back(
           {clash.kind,
            fmt::format("{} {}", NameOfParts(ours_.kind), clash.position),
-           ShownPart(clash.base), ShownPart(clash.ours),
-           ShownPart(clash.theirs)});
+           PartTextOf(clash.base), PartTextOf(clash.ours),
+           PartTextOf(clash.theirs)});
     const auto close = MergeBlanks(base_.close, ours_.close, theirs_.close);
     if (!close) Clash("the comment before '}'", "", "", "");
     if (!merged_.clashes.empty()) return;

@@ -1,3 +1,11 @@
+// Order is merged apart from content. If only one side moved things that all
+// three have, its order of what both sides have is kept; if both did, ours
+// wins, as order among items that know each other by name means nothing but to
+// the reader (rules, where it does, are put into their own order afterwards, by
+// merge_section). What one version alone has goes behind the same neighbour as
+// there. Both sides' additions at one place are merged by name, so that their
+// order does not depend on which side is ours. Linear in the lists.
+
 #include "compiler/changes/merge_order.h"
 
 #include <algorithm>

@@ -1,3 +1,16 @@
+// The cheapest edit by dynamic programming (Wagner and Fischer 1974), with a
+// cost of replacing that says how unlike two elements are, so that a changed
+// element is followed instead of being deleted and inserted. Costs are whole
+// numbers, so that ties are exact: they are what EditPreference decides. Read
+// back from the end, pairing whenever it is as cheap leaves deletions and
+// insertions for the beginning (early); refusing to pair while they are as
+// cheap puts them at the end (late).
+//
+// Time and memory are base times other. Productions have tens of elements; for
+// a hostile file the equal ends are cut off first, and what is still larger
+// than kMaxAlignment is paired in order: that edit is right too, only not the
+// shortest.
+
 #include "compiler/changes/sequence_edit.h"
 
 #include <algorithm>

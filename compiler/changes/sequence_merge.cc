@@ -1,3 +1,21 @@
+// A three-way merge as diff3 does it, of sequences instead of lines: both
+// sides' edits are laid over the base, gap by gap and element by element. Each
+// gap and each element may be touched by one side, or by both in the same way;
+// anything else is a clash, kept at its place so that a person sees both
+// versions there. Swaps are applied to places first, and what each place holds
+// is merged then: one side may move what the other edits.
+//
+// Which edit a person made is not in the texts. Inserting B into "B C" gives "B
+// B C" whether it went before or behind, and the two readings put the other
+// side's neighbouring change at different places. So each side's edit is taken
+// both as early and as late as the cheapest edits allow, all four pairs are
+// merged, and if they do not come to the same content the element is a clash
+// (kAmbiguous) rather than a guess: a wrong order of symbols is another robot,
+// and nobody would see it.
+//
+// Linear for a given pair of edits (but for swaps, which are few); finding the
+// edits is base times side (sequence_edit).
+
 #include "compiler/changes/sequence_merge.h"
 
 #include <algorithm>

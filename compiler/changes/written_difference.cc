@@ -1,3 +1,19 @@
+// What changed is told in the units that people think in. Items with names are
+// paired by name, wherever they stand; rules have none, so the rules of one
+// head are aligned as sequences with a cost of how unlike two rules are
+// (rule_shape), and a pair that is too unlike is a rule less and a rule more. A
+// rule that the alignment deletes here and inserts there unchanged has moved:
+// order among rules of a head is the order in which they are joined, so that a
+// move is a change and not nothing.
+//
+// Within a changed item the parts (symbols, terms, entries) are aligned in the
+// same way. Numbers of symbols and entries are compared as spelled alike
+// (written_items), the rest as it is written but for layout and comments; what
+// robots make of a change is runtime/compare's.
+//
+// The rules of a head squared, at most: heads have a few rules in evolution,
+// some tens by hand.
+
 #include "compiler/changes/written_difference.h"
 
 #include <fmt/format.h>

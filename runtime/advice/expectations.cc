@@ -16,7 +16,7 @@ namespace plsc {
 namespace {
 
 // Symbols of a developed string that a note shows: some lines' worth.
-constexpr std::size_t kShownSymbols = 60;
+constexpr std::size_t kExcerptSymbols = 60;
 
 // Slots in the order of Face.
 constexpr std::array<Slot, kFaces> kSlotOf = {Slot::kBack, Slot::kFront,
@@ -131,7 +131,7 @@ class InlineTestRun {
     else
       diagnostic.label =
           fmt::format("symbol {} of the string is {}", at + 1, Text(found[at]));
-    diagnostic.notes.push_back("developed: " + Shown(found));
+    diagnostic.notes.push_back("developed: " + Excerpt(found));
     return diagnostic;
   }
 
@@ -139,11 +139,11 @@ class InlineTestRun {
     return fmt::format("{} {}{}", number, what, number == 1 ? "" : "s");
   }
 
-  std::string Shown(const SymbolString& string) const {
+  std::string Excerpt(const SymbolString& string) const {
     std::string text;
-    for (std::size_t i = 0; i < string.size() && i < kShownSymbols; ++i)
+    for (std::size_t i = 0; i < string.size() && i < kExcerptSymbols; ++i)
       text += (i > 0 ? " " : "") + Text(string[i]);
-    if (string.size() > kShownSymbols)
+    if (string.size() > kExcerptSymbols)
       text += fmt::format(" ... ({} symbols)", string.size());
     return text;
   }

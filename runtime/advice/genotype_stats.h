@@ -2,7 +2,7 @@
 
 // How much of a genotype is used: symbols expressed, rules applied, modules by
 // rule, and how the robots of several environments differ. Counts only; what a
-// single symbol did is runtime/trace's to tell.
+// single symbol did is runtime/develop/trace's to tell.
 
 #include <cstddef>
 #include <cstdint>

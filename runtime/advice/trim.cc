@@ -1,3 +1,25 @@
+// Which parts of a genotype do nothing is not read off it: a symbol that is
+// never expressed may still hold the place of one that is, and a rule that is
+// never active may become it when another clause changes. So it is tried, in
+// the manner of delta debugging (Zeller and Hildebrandt 2002): leave a window
+// of pieces out, develop in every environment, and keep it out if all robots
+// are the same bit for bit. Windows begin with everything of a kind and are
+// halved, from the back of the text, since what comes later in a string depends
+// on what comes before. Pairs follow, because a move and the move back do
+// something each and nothing together.
+//
+// What holds after each try: `kept_` and `targets_` belong together, and every
+// target develops as the text did that was given. So it may end at any time,
+// and does when max_work symbols have been derived. If it ends by itself, a
+// whole round changed nothing, and trimming the result again changes nothing.
+//
+// The proof at the end starts from the text that is handed out, compiled anew,
+// not from the genotypes that were tried: text and genotype were cut by
+// different code, and a mistake in either must not get out.
+//
+// Tries times regimes times the length of strings: some 10^5 symbols for a
+// random genotype of the paper's kind.
+
 #include "runtime/advice/trim.h"
 
 #include <algorithm>
@@ -179,7 +201,8 @@ class Trimmer {
       }
   }
 
-  // First all at once that development never expressed: nearly always right.
+  // First all at once that development never expressed: nearly always right,
+  // and it spares most of the windows. Where it is not, the windows find out.
   void TrySymbols() {
     std::vector<std::size_t> idle = IdleSymbols();
     Try(idle);

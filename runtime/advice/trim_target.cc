@@ -1,3 +1,20 @@
+// "The same robots everywhere" for one genotype, asked thousands of times.
+// Environments with the same active rules develop alike, so robots are kept by
+// the set of active rules (`developed`), and only regimes are looked at.
+//
+// Which regimes must be looked at depends on what was left out. Without symbols
+// no clause is another one, and the regimes stay. Without a rule the old
+// regimes still suffice, since they tell apart all that the new ones do.
+// Without a term they do not: a shorter clause may be true where it was not, in
+// the middle of an old regime, so those of both genotypes together are taken.
+// There the same rules must be active, too, not only the same robots: a clause
+// that is true more often, if for nothing, is not a shorter way to say the
+// same.
+//
+// Robots are compared by value and by key, since -0 equals 0 and is another
+// bit. Lengths are counted before strings are derived (growth): they are the
+// measure of the work, and no string beyond its limit is begun.
+
 #include "runtime/advice/trim_target.h"
 
 #include <fmt/format.h>

@@ -3,8 +3,8 @@
 // What a golden test remembers of a genotype in one environment, as facts that
 // a person can read and that do not depend on memory layout: the string, every
 // module, node and edge, the descriptors. Observe makes them from a genotype;
-// runtime/formats/golden_json reads and writes them; runtime/golden_compare
-// says how two differ. Knows no files.
+// runtime/compare/golden_json reads and writes them, golden_compare says how
+// two differ. Knows no files.
 
 #include <cstddef>
 #include <cstdint>

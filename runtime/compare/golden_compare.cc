@@ -14,12 +14,12 @@ namespace plsc {
 namespace {
 
 // Symbols shown on each side where two strings differ.
-constexpr std::size_t kShownSymbols = 6;
+constexpr std::size_t kExcerptSymbols = 6;
 
-std::string Shown(const std::vector<std::string>& symbols, std::size_t begin,
-                  std::size_t end) {
+std::string Excerpt(const std::vector<std::string>& symbols, std::size_t begin,
+                    std::size_t end) {
   if (begin == end) return "nothing";
-  const std::size_t last = std::min(end, begin + kShownSymbols);
+  const std::size_t last = std::min(end, begin + kExcerptSymbols);
   std::string text = fmt::format(
       "{}",
       fmt::join(symbols.begin() + static_cast<std::ptrdiff_t>(begin),
@@ -45,7 +45,7 @@ void CompareSymbols(const GoldenString& expected, const GoldenString& found,
   if (begin == e.size() - end && begin == f.size() - end) return;
   differences.push_back(
       {DifferenceKind::kChanged, fmt::format("string at symbol {}", begin + 1),
-       Shown(e, begin, e.size() - end), Shown(f, begin, f.size() - end)});
+       Excerpt(e, begin, e.size() - end), Excerpt(f, begin, f.size() - end)});
 }
 
 void CompareStrings(const GoldenString& expected, const GoldenString& found,

@@ -1,3 +1,17 @@
+// Which part of one robot is which of the other? Ids are numbered in the order
+// of mounting, so a module that is mounted early renumbers all that follow, and
+// by ids everything would look changed. So modules are matched by where they
+// are (their cell, a sensor by its parent's cell and side), what is left by id
+// and type, which finds those that moved. Nodes follow the module that they
+// belong to, edges follow their nodes, and what hangs on a module that was
+// added or is missing is not told again. Numbers that shifted are one line of
+// their own.
+//
+// Everything is handed out once and in order (Pool), so that each part has one
+// partner at most. Two edges with the same ends are told apart by their order,
+// which is compared, too: weights are summed in it. Parts times their
+// logarithm.
+
 #include "runtime/compare/robot_parts.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,10 @@
+// A proof by going through all cases: there are finitely many, because
+// environments with the same active rules develop alike. The cases are the
+// regimes of the rules of both genotypes together, as either clause may tell
+// apart what the other does not; in each, both are developed and their keys
+// compared, which are equal only for the same bits. Regimes times the length of
+// the strings.
+
 #include "runtime/compare/same_robots.h"
 
 #include <algorithm>

@@ -1,3 +1,21 @@
+// Late development of the body (paper, "Mapping stage 2", I to V; authors'
+// program, plasticoding.py: moves 311-347, the grid 484-524, mounting 526-580).
+// One turtle stands on a module (reference_) with at most one pending slot.
+// From a joint every move leads to its front but the one back, which leads
+// home: there the program is followed, as the paper has all of them go to the
+// front and nobody would ever come back.
+//
+// What holds at all times: modules are numbered in the order of mounting,
+// parents before children; no two modules but sensors share a cell; and `ways_`
+// has, for each module and side, where a move leads, the module itself where it
+// leads nowhere. The table is kept when a module is mounted, which is seldom,
+// so that a move is one look, without a branch that nobody could predict.
+//
+// A module that cannot be mounted leaves everything as it was, the pending slot
+// included: the next module is tried in the same place. To clear it would be
+// another grammar. Mounting looks through all cells, at most max_modules and
+// their sensors; all else is constant time.
+
 #include "runtime/develop/body_turtle.h"
 
 #include <array>
@@ -95,6 +113,8 @@ Mounting BodyTurtle::MountAt(Slot slot, ModuleType type) {
 }
 
 // Sensors cannot be moved to. Nothing is known of the slots of `module` yet.
+// No command leads to a child at the core's back: moves are to the front, left
+// and right, and back is the way home.
 void BodyTurtle::OpenWays(int index, const Module& module) {
   ways_.push_back({module.parent, index, index, index});
   if (module.type == ModuleType::kTouchSensor) return;

@@ -1,3 +1,22 @@
+// Late development of the network (paper, "Mapping stage 2", VI and VII;
+// authors' program, plasticoding.py: nodes 582-661, commands that change edges
+// 349-410, commands that move 412-446). The authors keep two stacks, of inputs
+// and of neurons, and act upon their tops; here two indices are enough (see the
+// header): until both kinds exist, the nodes of the one kind are nodes 0 to
+// reference, in order of creation, and from then on a stack holds its top
+// alone.
+//
+// A new node is connected to all that the other stack holds, oldest first. The
+// edge to the newest takes the weight of the new node and the others their own
+// end's. The order in which edges are made is part of the robot: move_ref_*
+// count edges by it, descriptors and the coupled controller add weights in it.
+//
+// Loops are edges but no neighbours: they do not stand in `ends_`, so nobody
+// moves along one. A node that both references can reach has an edge by
+// construction, which Neighbour relies on. To move a reference takes constant
+// time; a new edge shifts the array behind its two ends, and to look for one
+// scans them all. A brain has tens.
+
 #include "runtime/develop/brain_turtle.h"
 
 #include <algorithm>

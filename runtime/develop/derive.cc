@@ -1,3 +1,21 @@
+// An L-system without context, rewritten in parallel: each symbol of the string
+// is replaced by what its active rules make of it, all at once, k times (paper,
+// "Mapping stage 1"; authors' program, plasticoding.py:238-257). What a
+// rewriting inserts is not looked at again by the same one. C is no exception:
+// its productions begin with C, so it stays first, and every rewriting puts the
+// rest of its production right behind it again.
+//
+// A string holds no arguments but occurrences, eight bytes each, that say where
+// in the genotype a symbol is written. So rewriting is copying blocks of bytes,
+// and whoever reads the string knows which rule brought each symbol.
+//
+// The length is counted before anything is written: an evolved genotype may ask
+// for more than there is memory, and a string cut off in the middle would be a
+// robot that no genotype describes, so beyond kMaxStringLength there is none.
+// Time and memory are linear in the strings, of which the last is most; who
+// only reads it need not have it written (DeriveAllButLast). How long a string
+// would be that is too long is growth's to tell.
+
 #include "runtime/develop/derive.h"
 
 #include <cassert>

@@ -1,3 +1,18 @@
+// The formulas of the authors' program (measure_body.py:57-384,
+// measure_brain.py; paper, "Robot Descriptors"), oddities included: they are
+// the axes of the paper's figures, and a mended one would be another axis. So
+// children and modules are those without sensors throughout, joints that carry
+// nothing count among the oscillators, free slots are never 0 but 0.0001, and a
+// sigmoid makes deviations begin at 0.5.
+//
+// Sums run in the order of the body's modules and the brain's nodes. That order
+// is part of the result: sums of doubles in another order differ in last bits,
+// and stores keep and compare every bit.
+//
+// The lists of fields below (Visit*) name the columns of stores and tables, in
+// their order. A name or a place that changes here changes the format of the
+// store. Costs: modules times log modules, nodes times edges; microseconds.
+
 #include "runtime/develop/descriptors.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #pragma once
 
-// Descriptors as a JSON object, for the writers of this folder.
+// Descriptors as a JSON object, for all writers of JSON.
 
 #include <nlohmann/json.hpp>
 #include <vector>

@@ -3,7 +3,7 @@
 // What one symbol of the string did in late development, or which of the
 // paper's reasons ("Mapping stage 2", steps I to VII) kept it from being
 // expressed. The turtles return it for each symbol they read; plain
-// development ignores it, runtime/trace collects it.
+// development ignores it, runtime/develop/trace collects it.
 
 #include <cstdint>
 #include <string_view>

@@ -1,3 +1,14 @@
+// Rewriting without context does not care about order, so a string may be
+// thrown away and the number of each symbol kept (its Parikh vector): a
+// rewriting multiplies this vector by a matrix, what each symbol is rewritten
+// into. The matrix is kept as lists of what is not 0. k rewritings cost k times
+// the different symbols of the active productions, whatever the length of the
+// string.
+//
+// Numbers saturate: 100 rewritings of a rule that doubles itself pass 2^64, and
+// a sum that wraps around would call the longest strings short. The greatest
+// number stands for itself and all beyond.
+
 #include "runtime/develop/growth.h"
 
 #include <algorithm>

@@ -1,3 +1,14 @@
+// Refinement of a partition: all environments are one class at first, and each
+// rule splits every class into where its clause holds and where not. What is
+// left together has the same active rules, whatever they are, so one
+// development tells for all of a class. Taking each environment's set of active
+// rules as its name would give the same, with a set a row to compare.
+//
+// Classes are numbered anew for each rule as the rows meet them, so that at all
+// times lower numbers have earlier first environments: the order in which
+// regimes are handed out, and which messages and trimming depend on. Rules
+// times environments steps, bounded by kMaxRegulations.
+
 #include "runtime/develop/regimes.h"
 
 #include <array>

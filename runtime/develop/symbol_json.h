@@ -1,6 +1,6 @@
 #pragma once
 
-// A symbol of a string as JSON, for the writers of this folder.
+// A symbol of a string as JSON, for all writers of JSON.
 
 #include <nlohmann/json.hpp>
 

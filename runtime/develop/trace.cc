@@ -1,3 +1,18 @@
+// The history of late development, without a second implementation that could
+// differ from the first: the very reader of Develop is fed symbol by symbol,
+// and what each did is seen by comparing the turtles before and after. What is
+// new afterwards in the lists of modules, nodes and edges was made by that
+// symbol, because these lists only grow at their ends. What the turtles forget
+// (what stood in the way, the value before a change) is asked before the symbol
+// is read.
+//
+// Only a mounting command cannot be told at once: whether its slot is used or
+// overwritten (paper, II) shows later, so its event is completed when a module
+// takes it or another command comes (`command_`).
+//
+// Linear in the string, with an event a symbol: for people who ask why, not for
+// evolution.
+
 #include "runtime/develop/trace.h"
 
 #include <cassert>

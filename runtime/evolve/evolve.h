@@ -25,7 +25,7 @@ namespace plsc {
 
 struct Progress {
   int generation = 0;            ///< being evaluated
-  std::int64_t evaluations = 0;  ///< robots judged, of the whole run
+  std::int64_t evaluations = 0;  ///< robots evaluated, of the whole run
   std::int64_t total = 0;        ///< of the whole run
   int workers = 0;
   int busy_workers = 0;  ///< at this moment
@@ -59,10 +59,10 @@ enum class Ending : std::uint8_t { kFinished, kStopped, kFailed };
 
 struct RunResult {
   Ending ending = Ending::kFinished;
-  std::string failure;           ///< kFailed only
-  int generations = 0;           ///< completed, the initial one included
-  std::int64_t evaluations = 0;  ///< robots judged, of the whole run
-  JudgingCounts counts_of_work;  ///< of this process
+  std::string failure;              ///< kFailed only
+  int generations = 0;              ///< completed, the initial one included
+  std::int64_t evaluations = 0;     ///< robots evaluated, of the whole run
+  EvaluationCounts counts_of_work;  ///< of this process
   /// Of the last completed generation, and the domination counts that they
   /// survived with.
   std::vector<Individual> population;

@@ -1,9 +1,28 @@
+// A generation's lives as a stream: robots are planned a few at a time, each
+// piece of a life is looked up by its key (in the generation itself, then in
+// the caches), and what nobody knows goes to the workers. A key is ordered
+// once; whoever else lives the same is noted as a place to be filled when the
+// answer comes. So equal robots cost one simulation, and which of them was
+// first does not show in any result.
+//
+// What waits is bounded to some requests a worker, whatever the size of the
+// generation: planning stops while kAhead requests a worker are outstanding,
+// and goes on between answers. With fewer the workers would wait for us, and a
+// generation that is planned as a whole would have its first simulation begun
+// only then.
+//
+// Each place is filled exactly once, and a robot is told when all of its pieces
+// are. A worker's death is the answer for the places that waited for it but is
+// not kept for others, nor in a cache: it says something about a process and
+// nothing about a robot.
+
 #include "runtime/evolve/generation_evaluator.h"
 
 #include <cassert>
 #include <utility>
 
 #include "runtime/evolve/worker_request.h"
+#include "runtime/life/simulated.h"
 
 namespace plsc {
 
@@ -20,7 +39,7 @@ constexpr int kPlans = 16;
 
 }  // namespace
 
-void Judging::Begin(const std::vector<Individual>& robots) {
+void GenerationEvaluator::Begin(const std::vector<Individual>& robots) {
   assert(outstanding_ == 0 && workers_.outstanding() == 0);
   robots_ = &robots;
   next_ = 0;
@@ -31,17 +50,17 @@ void Judging::Begin(const std::vector<Individual>& robots) {
     outstanding_ += robot.evaluation.seasons.empty() ? 1 : 0;
 }
 
-void Judging::Cancel() {
+void GenerationEvaluator::Cancel() {
   next_ = robots_->size();
   workers_.CancelWaiting();
 }
 
-bool Judging::HasRoom() const {
+bool GenerationEvaluator::HasRoom() const {
   return workers_.outstanding() < kAhead * (1 + workers_.workers());
 }
 
 /// Whether there is room for more at once.
-bool Judging::PlanSome() {
+bool GenerationEvaluator::PlanSome() {
   for (int planned = 0; planned < kPlans && next_ < robots_->size(); ++next_) {
     if (!HasRoom()) return false;
     if (!(*robots_)[next_].evaluation.seasons.empty()) continue;
@@ -51,7 +70,7 @@ bool Judging::PlanSome() {
   return next_ < robots_->size() && HasRoom();
 }
 
-void Judging::Plan(std::size_t robot) {
+void GenerationEvaluator::Plan(std::size_t robot) {
   const Individual& one = (*robots_)[robot];
   lives_[robot].seasons.resize(planner_.scenario().seasons.size());
   std::vector<LifePiece> pieces =
@@ -61,7 +80,7 @@ void Judging::Plan(std::size_t robot) {
   for (LifePiece& piece : pieces) Take(robot, std::move(piece));
 }
 
-void Judging::Take(std::size_t robot, LifePiece piece) {
+void GenerationEvaluator::Take(std::size_t robot, LifePiece piece) {
   const auto seasons = static_cast<std::int64_t>(piece.keys.size());
   const Place place = {robot, piece.first};
   const auto ticket = tickets_.find(piece.keys);
@@ -84,7 +103,8 @@ void Judging::Take(std::size_t robot, LifePiece piece) {
   }
 }
 
-std::optional<std::vector<Simulated>> Judging::LookUp(const LifePiece& piece) {
+std::optional<std::vector<Simulated>> GenerationEvaluator::LookUp(
+    const LifePiece& piece) {
   for (SimulationCache* cache : caches_) {
     std::vector<Simulated> found;
     for (const Key& key : piece.keys) {
@@ -97,8 +117,8 @@ std::optional<std::vector<Simulated>> Judging::LookUp(const LifePiece& piece) {
   return std::nullopt;
 }
 
-void Judging::Fill(const Place& place,
-                   const std::vector<Simulated>& simulated) {
+void GenerationEvaluator::Fill(const Place& place,
+                               const std::vector<Simulated>& simulated) {
   OpenLife& life = lives_[place.robot];
   for (std::size_t i = 0; i < simulated.size(); ++i) {
     assert(!life.seasons[place.first + i]);
@@ -107,11 +127,11 @@ void Judging::Fill(const Place& place,
   if (--life.pieces == 0) known_.push_back(place.robot);
 }
 
-double Judging::StepOf(std::size_t season) const {
+double GenerationEvaluator::StepOf(std::size_t season) const {
   return planner_.scenario().seasons[season].physics.step;
 }
 
-void Judging::Receive(const Reply& reply) {
+void GenerationEvaluator::Receive(const Reply& reply) {
   Order& order = orders_[static_cast<std::size_t>(reply.ticket)];
   const LifePiece& piece = order.piece;
   order.simulated = SimulatedOf(reply, piece.keys.size());
@@ -133,7 +153,7 @@ void Judging::Receive(const Reply& reply) {
   order.places = {};
 }
 
-std::vector<Verdict> Judging::Wait(int timeout_ms) {
+std::vector<EvaluatedRobot> GenerationEvaluator::Wait(int timeout_ms) {
   const bool has_more = PlanSome();
   if (known_.empty()) {
     for (const Reply& reply : workers_.Wait(has_more ? 0 : timeout_ms))
@@ -141,15 +161,15 @@ std::vector<Verdict> Judging::Wait(int timeout_ms) {
     if (workers_.failure() && workers_.outstanding() > 0)
       failure_ = workers_.failure();
   }
-  std::vector<Verdict> verdicts;
+  std::vector<EvaluatedRobot> evaluated;
   for (; !known_.empty(); known_.pop_front(), --outstanding_) {
     const std::size_t i = known_.front();
     const Individual& one = (*robots_)[i];
-    verdicts.push_back({i, planner_.Assemble(one.genotype, one.heritage.senses,
-                                             lives_[i].seasons)});
+    evaluated.push_back({i, planner_.Assemble(one.genotype, one.heritage.senses,
+                                              lives_[i].seasons)});
     lives_[i] = {};
   }
-  return verdicts;
+  return evaluated;
 }
 
 }  // namespace plsc

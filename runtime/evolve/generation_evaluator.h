@@ -1,6 +1,6 @@
 #pragma once
 
-// One generation before the judges: every piece of every life is looked up, or
+// One generation evaluated: every piece of every life is looked up, or
 // simulated by a worker, once, however many robots live it. Lives are planned
 // while the workers work, not much before it is their turn: what waits for a
 // worker takes memory, and who asks for a stop does not wait for plans.
@@ -17,43 +17,44 @@
 #include "runtime/evolve/individual.h"
 #include "runtime/evolve/simulation_cache.h"
 #include "runtime/life/life_plan.h"
+#include "runtime/life/simulated.h"
 #include "runtime/workers/workers.h"
 
 namespace plsc {
 
 /// Counted in seasons of robots.
-struct JudgingCounts {
+struct EvaluationCounts {
   std::int64_t simulations = 0;
   /// Found in a cache, or the same as another's of the generation.
   std::int64_t looked_up = 0;
   double simulated_seconds = 0;  ///< of the simulations
 };
 
-struct Verdict {
+struct EvaluatedRobot {
   std::size_t robot = 0;  ///< index into what Begin was given
-  JudgedLife life;
+  EvaluatedLife life;
 };
 
 /// What it is given must outlive it. One generation after the other.
-class Judging {
+class GenerationEvaluator {
  public:
-  Judging(const LifePlanner& planner, Workers& workers,
-          std::vector<SimulationCache*> caches)
+  GenerationEvaluator(const LifePlanner& planner, Workers& workers,
+                      std::vector<SimulationCache*> caches)
       : planner_(planner), workers_(workers), caches_(std::move(caches)) {}
 
-  /// Robots (which stay where they are until the last verdict) of which those
-  /// with an evaluation are judged already.
+  /// Robots, which stay where they are until the last is evaluated. Those with
+  /// an evaluation are so already.
   void Begin(const std::vector<Individual>& robots);
   /// In the order in which they become known; waits at most `timeout_ms`, and
   /// not at all if there are some.
-  std::vector<Verdict> Wait(int timeout_ms);
-  /// Nothing more is planned or begun; Wait tells of what was begun.
+  std::vector<EvaluatedRobot> Wait(int timeout_ms);
+  /// Nothing more is planned or begun; Wait returns what was begun.
   void Cancel();
-  /// Verdicts still to come.
+  /// Robots still to be evaluated.
   std::size_t outstanding() const { return outstanding_; }
-  /// What went wrong, if no more verdicts will come.
+  /// What went wrong, if no more will be evaluated.
   const MaybeFailure& failure() const { return failure_; }
-  const JudgingCounts& counts() const { return counts_; }
+  const EvaluationCounts& counts() const { return counts_; }
 
  private:
   struct OpenLife {
@@ -93,7 +94,7 @@ class Judging {
   std::deque<std::size_t> known_;                    // robots with all seasons
   std::size_t outstanding_ = 0;
   MaybeFailure failure_;
-  JudgingCounts counts_;
+  EvaluationCounts counts_;
 };
 
 }  // namespace plsc

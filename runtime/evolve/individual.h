@@ -1,6 +1,6 @@
 #pragma once
 
-// One robot of a run: its genotype, where it came from and, once judged, how
+// One robot of a run: its genotype, where it came from and, once evaluated, how
 // it did. Populations are vectors of these.
 
 #include <map>

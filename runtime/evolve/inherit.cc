@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "runtime/develop/regulate.h"
-#include "runtime/life/season_teller.h"
+#include "runtime/life/season_developer.h"
 
 namespace plsc {
 

@@ -20,7 +20,7 @@ void SeasonSummary::Add(const Evaluation& evaluation) {
   }
 }
 
-std::vector<SeasonProgress> SeasonSummary::Told() const {
+std::vector<SeasonProgress> SeasonSummary::Summaries() const {
   std::vector<SeasonProgress> told;
   for (const auto& [name, fitnesses] : seasons_)
     told.push_back(

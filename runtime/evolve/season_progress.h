@@ -24,7 +24,7 @@ class SeasonSummary {
   /// One that is not evaluated yet changes nothing.
   void Add(const Evaluation& evaluation);
   /// Of all that were added; empty if none was.
-  std::vector<SeasonProgress> Told() const;
+  std::vector<SeasonProgress> Summaries() const;
 
  private:
   struct Season {

@@ -1,3 +1,12 @@
+// Tournaments with replacement (authors' program, selection.py:6-46), repeated
+// until enough different individuals have won. That is not the same as drawing
+// without replacement: who has won stays in the pool and makes further
+// tournaments void, so that the pressure is that of the paper. Ties go to whom
+// was drawn first, which with few distinct counts is often; numbers are drawn
+// in a fixed order, as they are part of every result.
+//
+// A tournament costs its size; half of a pool of 200 takes about 140.
+
 #include "runtime/evolve/select.h"
 
 #include <algorithm>

@@ -13,6 +13,7 @@
 #include "compiler/limits.h"
 #include "compiler/print.h"
 #include "runtime/evolve/simulated_frame.h"
+#include "runtime/life/simulated.h"
 
 namespace plsc {
 

@@ -9,6 +9,7 @@
 
 #include "runtime/evolve/experiment.h"
 #include "runtime/life/life_plan.h"
+#include "runtime/life/simulated.h"
 #include "runtime/workers/workers.h"
 
 namespace plsc {

@@ -3,21 +3,22 @@
 #include <fmt/format.h>
 
 #include "compiler/print.h"
+#include "runtime/develop/part_names.h"
 
 namespace plsc {
 
 namespace {
 
 // Writes the sentence of one event.
-class Teller {
+class EventSentence {
  public:
-  Teller(const HistoryView& view, StringIndex index)
+  EventSentence(const HistoryView& view, StringIndex index)
       : view_(view),
         trace_(*view.history.trace),
         event_(trace_.events[index]),
         symbol_(view.At(index).occurrence.symbol) {}
 
-  std::string Sentence() const {
+  std::string Text() const {
     const EffectInfo& info = InfoOf(event_.effect);
     if (info.is_expressed) return Done();
     return fmt::format("not expressed ({}): {}", StepOf(symbol_), Reason());
@@ -60,7 +61,7 @@ class Teller {
   SymbolId symbol_;
 };
 
-std::string Teller::Mounted() const {
+std::string EventSentence::Mounted() const {
   std::string text =
       fmt::format("mounted as {} at {} by {}", ModuleText(event_.module),
                   SideText(), PartnerText());
@@ -74,7 +75,7 @@ std::string Teller::Mounted() const {
   return text;
 }
 
-std::string Teller::NodeReached() const {
+std::string EventSentence::NodeReached() const {
   const char* reference =
       symbol_ == plasticoding::kMoveRefI ? "input" : "neuron";
   if (event_.node == event_.node_before)
@@ -84,7 +85,7 @@ std::string Teller::NodeReached() const {
                      NodeName(event_.node_before), NodeName(event_.node));
 }
 
-std::string Teller::NeuronChanged() const {
+std::string EventSentence::NeuronChanged() const {
   const char* parameter = symbol_ == plasticoding::kMutateAmp ? "amplitude"
                           : symbol_ == plasticoding::kMutatePer
                               ? "period"
@@ -93,7 +94,7 @@ std::string Teller::NeuronChanged() const {
                      PrintNumber(event_.before), PrintNumber(event_.after));
 }
 
-std::string Teller::Done() const {
+std::string EventSentence::Done() const {
   switch (event_.effect) {
     case Effect::kSlotUsed:
       return fmt::format("slot-reference := {}, used by {}",
@@ -119,7 +120,7 @@ std::string Teller::Done() const {
   }
 }
 
-std::string Teller::Reason() const {
+std::string EventSentence::Reason() const {
   switch (event_.effect) {
     case Effect::kSlotOverwritten:
       return "command overwritten before use, by " + PartnerText();
@@ -151,7 +152,7 @@ std::string Teller::Reason() const {
 }  // namespace
 
 std::string EventText(const HistoryView& view, StringIndex index) {
-  return Teller(view, index).Sentence();
+  return EventSentence(view, index).Text();
 }
 
 }  // namespace plsc

@@ -7,6 +7,7 @@
 #include "compiler/print.h"
 #include "compiler/truth.h"
 #include "runtime/compare/body_difference.h"
+#include "runtime/develop/part_names.h"
 #include "runtime/develop/provenance.h"
 #include "runtime/history/history_json.h"
 #include "runtime/pictures/svg_style.h"

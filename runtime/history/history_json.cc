@@ -5,6 +5,7 @@
 
 #include "compiler/print.h"
 #include "compiler/truth.h"
+#include "runtime/develop/part_names.h"
 #include "runtime/history/event_text.h"
 
 namespace plsc {

@@ -1,5 +1,6 @@
 #include "runtime/history/provenance_json.h"
 
+#include "runtime/develop/part_names.h"
 #include "runtime/history/history_json.h"
 #include "runtime/history/provenance_text.h"
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "runtime/develop/part_names.h"
 #include "runtime/history/event_text.h"
 #include "runtime/history/history_text.h"
 

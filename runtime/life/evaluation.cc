@@ -5,7 +5,7 @@
 #include <cassert>
 #include <utility>
 
-#include "runtime/life/season_teller.h"
+#include "runtime/life/season_developer.h"
 #include "sim/imu.h"
 #include "sim/passage.h"
 
@@ -25,7 +25,8 @@ SimulationOptions OptionsFor(const Scenario& scenario, const Season& season) {
   return options;
 }
 
-Simulated Judge(const Trajectory& trajectory, MeasuredPoint point, int size) {
+Simulated MeasureSeason(const Trajectory& trajectory, MeasuredPoint point,
+                        int size) {
   Simulated simulated;
   simulated.outcome = trajectory.outcome;
   simulated.reason = trajectory.reason;
@@ -42,13 +43,13 @@ Life::Life(const Genotype& genotype, const Scenario& scenario, Watcher* watcher,
       scenario_(scenario),
       inherited_(std::move(inherited)),
       watcher_(watcher),
-      teller_(
-          std::make_unique<SeasonTeller>(genotype_, scenario_, inherited_)) {}
+      seasons_(std::make_unique<SeasonDeveloper>(genotype_, scenario_,
+                                                 inherited_)) {}
 
 Life::~Life() = default;
 
 bool Life::is_over() const {
-  return teller_->is_over();
+  return seasons_->is_over();
 }
 
 bool Life::LivesOn() const {
@@ -67,10 +68,10 @@ Lived Life::LiveIn(const Season& season, const SimulationOptions& options,
 
 SeasonLife Life::Next() {
   assert(!is_over());
-  const Season& season = teller_->season();
+  const Season& season = seasons_->season();
   SeasonLife life;
   if (LivesOn() && !ended_.empty()) {
-    life.result = teller_->Skip();
+    life.result = seasons_->Skip();
     life.result.reason = life.trajectory.reason = ended_;
     life.trajectory.outcome = life.result.outcome;
     ++next_;
@@ -88,29 +89,29 @@ SeasonLife Life::Next() {
     spot = SpotOf(state_.core);
   }
   std::optional<double> inclination;
-  if (teller_->AsksImu())
+  if (seasons_->AsksImu())
     inclination = FeltInclination(season.terrain, options, scenario_.imu, spot);
-  Told told = teller_->Next(begin, inclination);
-  if (!told.robot) {
+  DevelopedSeason developed = seasons_->Next(begin, inclination);
+  if (!developed.robot) {
     ended_ = fmt::format("no robot developed for season '{}'", season.name);
-    life.trajectory.outcome = told.result.outcome;
-    life.trajectory.reason = told.result.reason;
-    life.result = std::move(told.result);
+    life.trajectory.outcome = developed.result.outcome;
+    life.trajectory.reason = developed.result.reason;
+    life.result = std::move(developed.result);
     ++next_;
     return life;
   }
   // Robots without joints are simulated too: their fitness is known, but not
   // how they come to rest.
-  Lived lived = LiveIn(season, options, *told.robot, spot);
+  Lived lived = LiveIn(season, options, *developed.robot, spot);
   life.trajectory = std::move(lived.trajectory);
-  Simulated simulated = Judge(life.trajectory, scenario_.measured,
-                              told.result.body.absolute_size);
+  Simulated simulated = MeasureSeason(life.trajectory, scenario_.measured,
+                                      developed.result.body.absolute_size);
   simulated.begin = begin;
-  life.result = Complete(std::move(told.result), simulated);
+  life.result = Complete(std::move(developed.result), simulated);
   if (life.result.outcome != Outcome::kCompleted)
     ended_ = fmt::format("the life ended in season '{}': {}", season.name,
                          OutcomeName(life.result.outcome));
-  robot_ = life.robot = std::move(told.robot);
+  robot_ = life.robot = std::move(developed.robot);
   state_ = std::move(lived.end);
   ++next_;
   return life;

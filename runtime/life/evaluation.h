@@ -25,13 +25,13 @@ struct SeasonLife {
   std::optional<Phenotype> robot;  ///< that lived, or was not simulated
 };
 
-class SeasonTeller;
+class SeasonDeveloper;
 
 /// A genotype on its way through a scenario, season by season: sense, regulate,
 /// develop, live. What it senses must be known (CheckSenses).
 class Life {
  public:
-  /// The watcher, if any, must outlive it. `inherited`: see SeasonTeller.
+  /// The watcher, if any, must outlive it. `inherited`: see SeasonDeveloper.
   Life(const Genotype& genotype, const Scenario& scenario,
        Watcher* watcher = nullptr, Senses inherited = {});
   ~Life();
@@ -51,7 +51,7 @@ class Life {
   const Scenario scenario_;
   const Senses inherited_;
   Watcher* watcher_ = nullptr;
-  std::unique_ptr<SeasonTeller> teller_;
+  std::unique_ptr<SeasonDeveloper> seasons_;
   std::size_t next_ = 0;
   std::string ended_;  ///< continuous lives: why there is no robot any more
   std::optional<Phenotype> robot_;  ///< of the season before
@@ -61,9 +61,10 @@ class Life {
 /// How a robot is simulated in a season of the scenario.
 SimulationOptions OptionsFor(const Scenario& scenario, const Season& season);
 
-/// What the simulator told of a robot of `size` (Measure); the season's begin
-/// and inclination are not its to tell.
-Simulated Judge(const Trajectory& trajectory, MeasuredPoint point, int size);
+/// A simulated season of a robot of `size`, measured; its begin and inclination
+/// are not known from the trajectory.
+Simulated MeasureSeason(const Trajectory& trajectory, MeasuredPoint point,
+                        int size);
 
 /// All seasons.
 Evaluation Evaluate(const Genotype& genotype, const Scenario& scenario);

@@ -1,3 +1,26 @@
+// Simulations are named by content, as in a build system: a key is a hash of
+// everything that a simulation is a function of, but the program and the
+// machine, which whoever keeps results keeps with them (docs/decisions/0009).
+// Equal keys mean equal results, bit for bit, so a generation simulates each
+// life once, a run never again what it knows, and several runs can share a
+// cache.
+//
+// What breaks this is a key that lacks something. So the text of a key is the
+// whole scenario as it prints, every constant written out, of which only that
+// is removed which cannot matter: names, the other seasons of independent
+// lives, what robots are told (it acts through the phenotype, which has a key
+// of its own). A constant that is added to scenarios is thereby in the keys;
+// one that acts without being printed must be added here.
+//
+// Where lives are independent, a season is a piece of its own. In a continuous
+// life a season begins where the one before ended, so all seasons are one
+// piece, and what the robot feels there is unknown: its key has the robots of
+// both answers, level and upside down.
+//
+// Planning develops, and assembling develops again, rather than keep thousands
+// of robots while their lives are simulated: both are part of the 1.1 ms of CPU
+// time that a robot costs beside some 400 ms of simulation (evolve_bench).
+
 #include "runtime/life/life_plan.h"
 
 #include <cassert>
@@ -6,7 +29,8 @@
 #include <utility>
 
 #include "runtime/develop/phenotype_json.h"
-#include "runtime/life/season_teller.h"
+#include "runtime/life/evaluation.h"
+#include "runtime/life/season_developer.h"
 #include "runtime/scenario/scenario_yaml.h"
 #include "sim/imu.h"
 #include "sim/simulate.h"
@@ -49,12 +73,13 @@ std::vector<std::string> RobotsFeeling(double inclination,
                                        const Scenario& scenario,
                                        const Senses& inherited) {
   std::vector<std::string> robots;
-  for (SeasonTeller teller(genotype, scenario, inherited); !teller.is_over();) {
-    const bool asks_imu = teller.AsksImu();
+  for (SeasonDeveloper seasons(genotype, scenario, inherited);
+       !seasons.is_over();) {
+    const bool asks_imu = seasons.AsksImu();
     std::optional<double> felt;
     if (asks_imu) felt = inclination;
     robots.push_back((asks_imu ? " felt " : " told ") +
-                     Hex(KeyOfPhenotype(teller.Next(0, felt).robot)));
+                     Hex(KeyOfPhenotype(seasons.Next(0, felt).robot)));
   }
   return robots;
 }
@@ -77,6 +102,8 @@ std::string PossibleRobots(const Genotype& genotype, const Scenario& scenario,
 LifePlanner::LifePlanner(Scenario scenario, SeasonSimulator simulate)
     : scenario_(std::move(scenario)), simulate_(std::move(simulate)) {
   assert(!simulate_ || !IsContinuous(scenario_));
+  // What a core feels is a function of the season alone, so it is found here
+  // once and not for each genotype.
   const State inclined = {"inclined", StateType::kBool, 0, 0, {}};
   std::map<std::string, double> known;  // of seasons that are the same
   for (const Season& season : scenario_.seasons) {
@@ -102,14 +129,14 @@ Key LifePlanner::KeyOfSeason(std::size_t season, bool asks_imu,
 std::vector<LifePiece> LifePlanner::PlanSeasons(const Genotype& genotype,
                                                 const Senses& inherited) const {
   std::vector<LifePiece> pieces;
-  SeasonTeller teller(genotype, scenario_, inherited);
-  for (std::size_t i = 0; !teller.is_over(); ++i) {
-    const bool asks_imu = teller.AsksImu();
-    const Told told =
-        teller.Next(0, asks_imu ? inclinations_[i] : std::nullopt);
-    if (told.robot)
+  SeasonDeveloper seasons(genotype, scenario_, inherited);
+  for (std::size_t i = 0; !seasons.is_over(); ++i) {
+    const bool asks_imu = seasons.AsksImu();
+    const DevelopedSeason developed =
+        seasons.Next(0, asks_imu ? inclinations_[i] : std::nullopt);
+    if (developed.robot)
       pieces.push_back(
-          {i, {KeyOfSeason(i, asks_imu, KeyOfPhenotype(told.robot))}});
+          {i, {KeyOfSeason(i, asks_imu, KeyOfPhenotype(developed.robot))}});
   }
   return pieces;
 }
@@ -141,53 +168,56 @@ std::vector<Simulated> LifePlanner::Simulate(const Genotype& genotype,
       simulated.push_back(SimulatedOf(life.Next().result));
     return simulated;
   }
-  SeasonTeller teller(genotype, scenario_, inherited);
-  Told told;
+  SeasonDeveloper seasons(genotype, scenario_, inherited);
+  DevelopedSeason developed;
   for (std::size_t i = 0; i <= piece.first; ++i)
-    told = teller.Next(0, teller.AsksImu() ? inclinations_[i] : std::nullopt);
-  assert(told.robot);
+    developed =
+        seasons.Next(0, seasons.AsksImu() ? inclinations_[i] : std::nullopt);
+  assert(developed.robot);
   const Season& season = scenario_.seasons[piece.first];
   Simulated one =
-      simulate_ ? simulate_(*told.robot, season)
-                : Judge(plsc::Simulate(*told.robot, season.terrain,
-                                       OptionsFor(scenario_, season)),
-                        scenario_.measured, told.result.body.absolute_size);
-  one.inclination = told.result.inclination;
+      simulate_ ? simulate_(*developed.robot, season)
+                : MeasureSeason(plsc::Simulate(*developed.robot, season.terrain,
+                                               OptionsFor(scenario_, season)),
+                                scenario_.measured,
+                                developed.result.body.absolute_size);
+  one.inclination = developed.result.inclination;
   return {one};
 }
 
-bool LifePlanner::IsTold(const Simulated& simulated) const {
+bool LifePlanner::IsDeveloped(const Simulated& simulated) const {
   if (simulated.outcome == Outcome::kNotReached) return false;
   // Where a continuous life stood is known from its simulation alone.
   return simulated.outcome != Outcome::kWorkerDied || !IsContinuous(scenario_);
 }
 
-JudgedLife LifePlanner::Assemble(
+EvaluatedLife LifePlanner::Assemble(
     const Genotype& genotype, const Senses& inherited,
     const std::vector<std::optional<Simulated>>& simulated) const {
   assert(simulated.size() == scenario_.seasons.size());
-  JudgedLife life;
-  SeasonTeller teller(genotype, scenario_, inherited);
+  EvaluatedLife life;
+  SeasonDeveloper seasons(genotype, scenario_, inherited);
   std::vector<LifePiece> pieces = Plan(genotype, inherited);
   for (std::size_t i = 0; i < simulated.size(); ++i) {
     SeasonEvidence evidence;
     SeasonResult result;
-    if (simulated[i] && !IsTold(*simulated[i])) {
-      result = teller.Skip();
+    if (simulated[i] && !IsDeveloped(*simulated[i])) {
+      result = seasons.Skip();
       result.outcome = simulated[i]->outcome;
       result.reason = simulated[i]->reason;
     } else {
       std::optional<double> felt;
-      if (teller.AsksImu())
+      if (seasons.AsksImu())
         felt = IsContinuous(scenario_) ? simulated[i]->inclination
                                        : inclinations_[i];
-      Told told = teller.Next(simulated[i] ? simulated[i]->begin : 0, felt);
-      result = std::move(told.result);
-      if (told.robot) {
+      DevelopedSeason developed =
+          seasons.Next(simulated[i] ? simulated[i]->begin : 0, felt);
+      result = std::move(developed.result);
+      if (developed.robot) {
         assert(simulated[i]);
         result = Complete(std::move(result), *simulated[i]);
-        evidence.body = BodyJson(told.robot->body);
-        evidence.brain = BrainJson(*told.robot);
+        evidence.body = BodyJson(developed.robot->body);
+        evidence.brain = BrainJson(*developed.robot);
         evidence.phenotype = KeyOfPhenotype(evidence.body, evidence.brain);
       }
     }

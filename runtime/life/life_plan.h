@@ -1,6 +1,6 @@
 #pragma once
 
-// How to judge genotypes without simulating anything twice: what is to be
+// How to evaluate genotypes without simulating anything twice: what is to be
 // simulated is known, and has a key, before it is; what is known already can
 // be put in its place. Planning and assembling are a millionth of the work of
 // simulating.
@@ -38,7 +38,7 @@ struct SeasonEvidence {
   Simulated simulated;
 };
 
-struct JudgedLife {
+struct EvaluatedLife {
   Evaluation evaluation;
   std::vector<SeasonEvidence> evidence;  ///< an item a season
 };
@@ -63,7 +63,7 @@ class LifePlanner {
                                   const Senses& inherited,
                                   const LifePiece& piece) const;
   /// `simulated`: an item a season, nothing where nothing was to simulate.
-  JudgedLife Assemble(
+  EvaluatedLife Assemble(
       const Genotype& genotype, const Senses& inherited,
       const std::vector<std::optional<Simulated>>& simulated) const;
 
@@ -72,8 +72,8 @@ class LifePlanner {
                                      const Senses& inherited) const;
   std::vector<LifePiece> PlanWhole(const Genotype& genotype,
                                    const Senses& inherited) const;
-  /// Whether what develops in the season can be told.
-  bool IsTold(const Simulated& simulated) const;
+  /// Whether it is known what develops in the season.
+  bool IsDeveloped(const Simulated& simulated) const;
   Key KeyOfSeason(std::size_t season, bool asks_imu, const Key& robot) const;
 
   Scenario scenario_;

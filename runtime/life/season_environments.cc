@@ -4,7 +4,8 @@
 #include <numbers>
 #include <optional>
 
-#include "runtime/life/season_teller.h"
+#include "runtime/life/evaluation.h"
+#include "runtime/life/season_developer.h"
 #include "sim/imu.h"
 
 namespace plsc {
@@ -24,24 +25,24 @@ bool HangsOnPlace(const Scenario& scenario, std::size_t season) {
 }
 
 /// `felt` in seasons that hang on the place; nothing: as if at the start.
-std::vector<NamedEnvironment> TellWith(const Genotype& genotype,
-                                       const Scenario& scenario,
-                                       std::optional<double> felt) {
+std::vector<NamedEnvironment> EnvironmentsFeeling(const Genotype& genotype,
+                                                  const Scenario& scenario,
+                                                  std::optional<double> felt) {
   std::vector<NamedEnvironment> environments;
   const Senses none;
-  SeasonTeller teller(genotype, scenario, none);
-  for (std::size_t i = 0; !teller.is_over(); ++i) {
-    const Season& season = teller.season();
+  SeasonDeveloper seasons(genotype, scenario, none);
+  for (std::size_t i = 0; !seasons.is_over(); ++i) {
+    const Season& season = seasons.season();
     std::string name = season.name;
     std::optional<double> inclination;
-    if (teller.AsksImu()) {
+    if (seasons.AsksImu()) {
       const bool is_free = felt && HangsOnPlace(scenario, i);
       inclination = is_free ? *felt : FeltAtStart(scenario, season);
       if (is_free) name += *felt > 0 ? ", inclined" : ", level";
     }
-    const SeasonResult told = teller.Next(0, inclination).result;
+    const SeasonResult developed = seasons.Next(0, inclination).result;
     environments.push_back(
-        {std::move(name), EnvironmentOf(told.sensed, genotype.states)});
+        {std::move(name), EnvironmentOf(developed.sensed, genotype.states)});
   }
   return environments;
 }
@@ -50,14 +51,16 @@ std::vector<NamedEnvironment> TellWith(const Genotype& genotype,
 
 std::vector<NamedEnvironment> SeasonEnvironments(const Genotype& genotype,
                                                  const Scenario& scenario) {
-  return TellWith(genotype, scenario, std::nullopt);
+  return EnvironmentsFeeling(genotype, scenario, std::nullopt);
 }
 
 std::vector<NamedEnvironment> PossibleEnvironments(const Genotype& genotype,
                                                    const Scenario& scenario) {
-  std::vector<NamedEnvironment> possible = TellWith(genotype, scenario, 0);
+  std::vector<NamedEnvironment> possible =
+      EnvironmentsFeeling(genotype, scenario, 0);
   // Steeper than any threshold.
-  const auto inclined = TellWith(genotype, scenario, std::numbers::pi);
+  const auto inclined =
+      EnvironmentsFeeling(genotype, scenario, std::numbers::pi);
   for (std::size_t i = 0; i < inclined.size(); ++i)
     if (inclined[i].name != possible[i].name) possible.push_back(inclined[i]);
   return possible;

@@ -1,6 +1,6 @@
 #pragma once
 
-// What a robot of a genotype senses in the seasons of a scenario, told without
+// What a robot of a genotype senses in the seasons of a scenario, known without
 // living them: the environments that it develops in.
 
 #include <vector>

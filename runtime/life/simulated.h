@@ -1,8 +1,8 @@
 #pragma once
 
-// What only the simulator can tell of a season. All else of a SeasonResult
-// follows from the genotype and from what was felt (runtime/life_plan), so
-// this is what a store of simulations keeps.
+// What is known of a season only when it is simulated. All else of a
+// SeasonResult follows from the genotype and from what was felt
+// (runtime/life/life_plan), so this is what a store of simulations keeps.
 
 #include <cstdint>
 #include <optional>

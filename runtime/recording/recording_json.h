@@ -2,7 +2,7 @@
 
 // Recordings as files: `plsc simulate --record` (docs/formats.md has the
 // format; docs/decisions/0010 why it is so). Self-contained JSON: what lived,
-// where, and every link's pose in time as tracks (track_text.h).
+// where, and every link's pose in time as tracks (track.h).
 
 #include <string>
 

@@ -1,3 +1,11 @@
+// A pose moves little between two frames, so differences of whole numbers are
+// small, and small numbers are short. Whole multiples of a unit are rounded
+// once, here, and added up exactly by any reader: with differences of doubles
+// errors would grow along the track, and with another rounding two readers
+// would see different robots. A decoder takes nothing on trust, neither lengths
+// (a row needs a byte a number) nor that a number ends: nine bytes of seven
+// bits are more than kMostUnits needs.
+
 #include "runtime/recording/track.h"
 
 #include <array>

@@ -7,7 +7,7 @@
 #include "compiler/print.h"
 #include "runtime/develop/develop.h"
 #include "runtime/develop/phenotype_json.h"
-#include "runtime/life/season_teller.h"
+#include "runtime/life/season_developer.h"
 #include "runtime/pictures/body_svg.h"
 
 namespace plsc {

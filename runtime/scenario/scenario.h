@@ -2,8 +2,7 @@
 
 // What robots live through: seasons, each with its ground, its duration, its
 // physics and what a robot is told there, and what they share. Read from YAML
-// (runtime/scenario/scenario.cc is one of the two places that know YAML). The
-// values of what a file leaves out are its profile's
+// (scenario_yaml.h). The values of what a file leaves out are its profile's
 // (runtime/scenario/scenario_profile.h).
 
 #include <cstdint>

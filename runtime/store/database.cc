@@ -237,9 +237,8 @@ MaybeFailure Database::Open(const std::string& path, Mode mode) {
   is_immutable_ = false;
   real_path_ = mode == Mode::kMemory ? "" : RealPath(path);
   if (mode != Mode::kMemory) {
-    if (MaybeFailure failure = CheckFile(path, mode == Mode::kWrite))
-      return failure;
-    const std::string shown = ShownPath(path);
+    if (MaybeFailure failure = CheckFile(path, mode == Mode::kWrite)) return failure;
+    const std::string shown = PrintablePath(path);
     const std::optional<FileId> file = FileIdOf(real_path_);
     if (!file || !ConnectedFiles().contains(*file))
       if (MaybeFailure failure = CheckCompanions(shown)) return failure;
@@ -309,7 +308,7 @@ MaybeFailure Database::CheckInPlace(const std::optional<FileId>& file) const {
   if (lost == nullptr) return std::nullopt;
   return fmt::format(
       "'{}{}' was deleted, moved or replaced while it was written to",
-      ShownPath(path_), lost);
+      PrintablePath(path_), lost);
 }
 
 std::string Database::Image() {

@@ -67,7 +67,7 @@ std::string RealPath(const std::string& path) {
   return text;
 }
 
-std::string ShownPath(const std::string& path) {
+std::string PrintablePath(const std::string& path) {
   std::error_code error;
   return std::filesystem::is_symlink(path, error) ? RealPath(path) : path;
 }

@@ -14,7 +14,7 @@ std::string RealPath(const std::string& path);
 
 /// As the user named the file, unless that is a link: companions are beside
 /// what it points to.
-std::string ShownPath(const std::string& path);
+std::string PrintablePath(const std::string& path);
 
 /// Without a journal nobody writes, and a reader that did more than read the
 /// file would leave files of its own beside it.

@@ -66,7 +66,7 @@ void NewFile::OpenNamed() {
   neighbour_.clear();
 }
 
-MaybeFailure NewFile::Tell() const {
+MaybeFailure NewFile::failure() const {
   if (error_ == 0) return std::nullopt;
   return fmt::format("cannot write to '{}': {}", path_, ReasonOf(error_));
 }
@@ -74,7 +74,7 @@ MaybeFailure NewFile::Tell() const {
 MaybeFailure NewFile::Write(std::string_view text) {
   pending_ += text;
   if (pending_.size() >= kBuffer) Flush();
-  return Tell();
+  return failure();
 }
 
 void NewFile::Flush() {
@@ -114,7 +114,7 @@ MaybeFailure NewFile::Publish() {
   if (error_ == 0) Link(path_);
   if (error_ == 0 && !neighbour_.empty())
     unlink(std::exchange(neighbour_, "").c_str());
-  return Tell();
+  return failure();
 }
 
 MaybeFailure NewFile::Replace() {
@@ -128,7 +128,7 @@ MaybeFailure NewFile::Replace() {
   if (error_ == 0 && std::rename(neighbour_.c_str(), path_.c_str()) != 0)
     error_ = errno;
   if (error_ == 0) neighbour_.clear();
-  return Tell();
+  return failure();
 }
 
 }  // namespace plsc

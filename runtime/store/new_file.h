@@ -42,7 +42,7 @@ class NewFile {
   void Flush();
   void Link(const std::string& name);
   std::string Neighbour();
-  MaybeFailure Tell() const;
+  MaybeFailure failure() const;
 
   std::string path_;
   std::string neighbour_;  // its name until it is whole; empty: it has none

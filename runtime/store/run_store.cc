@@ -13,6 +13,7 @@
 #include <system_error>
 #include <utility>
 
+#include "runtime/life/simulated.h"
 #include "runtime/store/companions.h"
 #include "runtime/store/create.h"
 #include "runtime/store/database.h"
@@ -83,9 +84,9 @@ struct RunStore::Parts {
   MaybeFailure ReadRun();
   /// That what is written goes into the file of this name.
   MaybeFailure CheckInPlace();
-  /// Of everything since the last failure that somebody heard of.
+  /// Of everything since the last failure that was reported.
   template <typename T>
-  Expected<T, Failure> Tell(T value) {
+  Expected<T, Failure> OrFailure(T value) {
     if (MaybeFailure failure = database.TakeFailure())
       return std::move(*failure);
     return value;
@@ -246,7 +247,7 @@ Expected<SavedRun, Failure> RunStore::Load() {
     if (!last || last->pool.empty()) {
       parts_->database.Fail(fmt::format(
           "'{}' is damaged: its last generation cannot be read", path()));
-      return parts_->Tell(saved);
+      return parts_->OrFailure(saved);
     }
     std::map<int, int> counts;  // by id
     for (std::size_t i = 0; i < last->pool.size(); ++i)
@@ -265,7 +266,7 @@ Expected<SavedRun, Failure> RunStore::Load() {
     else
       saved.evaluated.emplace(id, std::move(evaluation));
   }
-  return parts_->Tell(std::move(saved));
+  return parts_->OrFailure(std::move(saved));
 }
 
 Expected<RunStatus, Failure> RunStore::Status() {
@@ -285,7 +286,7 @@ Expected<RunStatus, Failure> RunStore::Status() {
     if (const auto last = reader.FindGeneration(status.generations - 1))
       status.best = last->best;
   status.is_finished = status.generations == experiment().generations;
-  return parts_->Tell(status);
+  return parts_->OrFailure(status);
 }
 
 Expected<Individual, Failure> RunStore::Find(int id) {
@@ -293,13 +294,13 @@ Expected<Individual, Failure> RunStore::Find(int id) {
   const Transaction instant(parts_->database);
   if (MaybeFailure failure = parts_->checks->Robot(experiment(), id))
     return *failure;
-  return parts_->Tell(parts_->reader->FindIndividual(id));
+  return parts_->OrFailure(parts_->reader->FindIndividual(id));
 }
 
 Expected<int, Failure> RunStore::Born() {
   assert(parts_->reader);
   Statement last(parts_->database, "SELECT max(id) FROM individual");
-  return parts_->Tell(last.With().Next() ? last.TakeInt() : 0);
+  return parts_->OrFailure(last.With().Next() ? last.TakeInt() : 0);
 }
 
 Expected<GenerationRecord, Failure> RunStore::Generation(int number) {
@@ -312,7 +313,7 @@ Expected<GenerationRecord, Failure> RunStore::Generation(int number) {
   if (MaybeFailure failure = parts_->checks->Generation(number))
     return *failure;
   auto record = parts_->reader->FindGeneration(number);
-  return parts_->Tell(std::move(record).value_or(GenerationRecord{}));
+  return parts_->OrFailure(std::move(record).value_or(GenerationRecord{}));
 }
 
 Expected<std::vector<int>, Failure> RunStore::EvaluatedIds() {
@@ -322,7 +323,7 @@ Expected<std::vector<int>, Failure> RunStore::EvaluatedIds() {
   Statement evaluated(parts_->database,
                       "SELECT DISTINCT individual FROM evaluation ORDER BY 1");
   for (evaluated.With(); evaluated.Next();) ids.push_back(evaluated.TakeInt());
-  return parts_->Tell(ids);
+  return parts_->OrFailure(ids);
 }
 
 Expected<std::vector<SeasonEvidence>, Failure> RunStore::EvidenceOf(int id) {
@@ -330,7 +331,7 @@ Expected<std::vector<SeasonEvidence>, Failure> RunStore::EvidenceOf(int id) {
   const Transaction instant(parts_->database);
   if (MaybeFailure failure = parts_->checks->Robot(experiment(), id))
     return *failure;
-  return parts_->Tell(parts_->reader->FindEvidence(id));
+  return parts_->OrFailure(parts_->reader->FindEvidence(id));
 }
 
 std::vector<Ancestor> RunStore::Parts::FindLineage(int id, int distance) {
@@ -361,7 +362,7 @@ std::vector<Ancestor> RunStore::Parts::FindLineage(int id, int distance) {
 Expected<std::vector<Ancestor>, Failure> RunStore::Lineage(int id,
                                                            int distance) {
   assert(parts_->reader);
-  return parts_->Tell(parts_->FindLineage(id, distance));
+  return parts_->OrFailure(parts_->FindLineage(id, distance));
 }
 
 MaybeFailure RunStore::BeginSession(const SessionStart& start) {

@@ -20,6 +20,7 @@
 #include "runtime/evolve/run_observer.h"
 #include "runtime/evolve/saved_run.h"
 #include "runtime/evolve/simulation_cache.h"
+#include "runtime/life/simulated.h"
 #include "runtime/store/session.h"
 #include "runtime/store/versions.h"
 

@@ -1,3 +1,23 @@
+// Each event of a run is one transaction: all births of a generation, one
+// robot's evaluation, one generation's decision. A kill between two loses
+// nothing, a kill within one leaves what was there before it, and whoever
+// resumes finds one of these states and no other.
+//
+// What repeats is stored once, by content: headers and rules of genotypes (a
+// child has nearly all of its rules from its parents), bodies and phenotypes
+// and simulations by their keys. Births and simulations that are there already
+// are compared with what would be written, and a difference ends the run: the
+// same ones must come again when a run is resumed, and if they do not, program
+// or machine have changed and the rest would be another run's.
+//
+// A row is written with checksum 0 first, and its checksum is made of what the
+// database then gives back, not of what it was given: -0 is stored as 0 and
+// what is no number as NULL, and a checksum of the values before would call
+// every such row damaged. Comparisons treat -0 in the same way (BitsOf).
+//
+// 0.3 to 0.4 ms of CPU time a robot (evolve_bench); statements are prepared
+// once.
+
 #include "runtime/store/run_writer.h"
 
 #include <fmt/format.h>
@@ -7,6 +27,7 @@
 #include <utility>
 
 #include "compiler/print.h"
+#include "runtime/life/simulated.h"
 #include "runtime/store/genotype_parts.h"
 #include "runtime/store/names.h"
 #include "runtime/store/packing.h"
@@ -228,6 +249,8 @@ void RunWriter::AddIndividual(const Individual& one) {
 MaybeFailure RunWriter::Evaluated(const Individual& one,
                                   const std::vector<SeasonEvidence>& evidence) {
   Transaction transaction(database_);
+  // A resumed run tries again what a worker died of; only such evaluations may
+  // be replaced.
   remove_lost_.With(one.id, one.id).Run();
   const std::vector<SeasonResult>& results = one.evaluation.seasons;
   for (std::size_t i = 0; i < results.size(); ++i)

@@ -1,3 +1,10 @@
+// A damaged store is read as a cache of simulations and nothing else: to mend
+// its rows would be to guess, while a run made again from its experiment is
+// right by construction and takes only the simulations that are lost. Each
+// evaluation is taken or left by its own checksum. They are asked for one by
+// one, since one damaged page ends every query that meets it, and a query over
+// all would end with the first.
+
 #include "runtime/store/salvage.h"
 
 #include <fmt/format.h>
@@ -6,6 +13,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "runtime/life/simulated.h"
 #include "runtime/store/checksum.h"
 #include "runtime/store/database.h"
 #include "runtime/store/run_reader.h"

@@ -13,6 +13,7 @@
 #include "grammar/failure.h"
 #include "runtime/evolve/experiment.h"
 #include "runtime/evolve/simulation_cache.h"
+#include "runtime/life/simulated.h"
 #include "runtime/store/run_store.h"
 
 namespace plsc {

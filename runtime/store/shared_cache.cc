@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "runtime/evolve/simulated_frame.h"
+#include "runtime/life/simulated.h"
 #include "runtime/store/make_database.h"
 #include "runtime/store/schema_check.h"
 #include "sim/machine_kind.h"

@@ -11,6 +11,7 @@
 
 #include "grammar/failure.h"
 #include "runtime/evolve/simulation_cache.h"
+#include "runtime/life/simulated.h"
 #include "runtime/store/database.h"
 
 namespace plsc {

@@ -1,3 +1,22 @@
+// What can be trusted of a file, from the outside in. First whose file it is
+// and of which schema: rows of another one must not be interpreted. Then what
+// the run is (its experiment), because only from it follows which rows there
+// must be: ids are numbered by generation (IdsBornIn), so that a missing row is
+// found and not only a changed one. Then SQLite's own structure and references,
+// and last every row against its checksum, generation by generation.
+//
+// Nothing stops at the first damage. `problem` says it, but the examination
+// goes on, so that a user learns how many generations are whole and salvage
+// what to use. `whole_generations` counts only as long as nothing was wrong: a
+// run goes on from a generation only if all before it are as they were.
+//
+// Births of a generation are one transaction (run_writer), so of the one that
+// is under way all are there or none; anything between is damage. A broken
+// structure is the problem that is told, whatever else was found, since it
+// explains the rest.
+//
+// A read of everything: about a second for 10,000 robots.
+
 #include "runtime/store/verify.h"
 
 #include <fmt/format.h>

@@ -13,7 +13,7 @@ namespace plsc {
 namespace {
 
 // How many characters of a wrong value a message shows.
-constexpr std::size_t kShownCharacters = 40;
+constexpr std::size_t kExcerptCharacters = 40;
 
 std::vector<std::string> PathOf(const JsonValue& value) {
   std::vector<std::string> path;
@@ -23,12 +23,12 @@ std::vector<std::string> PathOf(const JsonValue& value) {
   return path;
 }
 
-std::string Shown(const nlohmann::json& json) {
+std::string Excerpt(const nlohmann::json& json) {
   if (json.is_object()) return "an object";
   if (json.is_array()) return "a list";
   std::string text = json.dump(-1, ' ', true);  // ASCII, so it may be cut
-  if (text.size() > kShownCharacters)
-    text = text.substr(0, kShownCharacters) + "...";
+  if (text.size() > kExcerptCharacters)
+    text = text.substr(0, kExcerptCharacters) + "...";
   return text;
 }
 
@@ -53,7 +53,7 @@ void JsonReader::Wrong(const JsonValue& value, std::string_view expected,
                        Code code) {
   Error(value, code,
         fmt::format("expected {}{}, found {}", expected, Where(value),
-                    Shown(value.json)));
+                    Excerpt(value.json)));
 }
 
 bool JsonReader::IsObject(const JsonValue& value,

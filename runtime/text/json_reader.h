@@ -1,6 +1,6 @@
 #pragma once
 
-// Strict reading of a JSON file for runtime/formats: values of the right type,
+// Strict reading of a JSON file of ours: values of the right type,
 // no unknown keys, all errors of a file in one go, each at its place. Knows no
 // meaning of keys.
 

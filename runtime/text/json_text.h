@@ -1,7 +1,7 @@
 #pragma once
 
 // From the text of a file to JSON values: the first step of every reader of
-// runtime/formats, the same errors for all of them.
+// ours, the same errors for all of them.
 
 #include <nlohmann/json.hpp>
 

@@ -1,3 +1,9 @@
+// Rules of one symbol are inherited together, with their clauses (paper,
+// "Crossover"; authors' program, standard_crossover.py:7-27): they were
+// selected together, and a clause without its alternative would be another
+// regulation. Genotype::rules is grouped by head in alphabet order, and going
+// through the alphabet keeps it so.
+
 #include "runtime/vary/crossover.h"
 
 #include <cassert>

@@ -1,3 +1,7 @@
+// The distributions of the paper's Table 1 and "Initialization". Draws are made
+// in a fixed order, category or state first, then value, then arguments from
+// left to right; which numbers of a stream go where is part of every result.
+
 #include "runtime/vary/draw.h"
 
 #include <algorithm>

@@ -1,3 +1,19 @@
+// One change of one rule (paper, "Mutation"; authors' program,
+// standard_mutation.py): first which kind, then which symbol and which of its
+// rules, then where. Arguments of existing symbols never change: new ones come
+// with added symbols only, which is the paper's choice.
+//
+// What no mutation may do is make a genotype that Verify refuses. C stays first
+// in its rules and occurs nowhere else, so it is neither deleted, swapped nor
+// preceded; a rule keeps a symbol at least; a clause keeps one operator between
+// two terms and its limit of terms. A draw that meets such a bar changes
+// nothing instead of being drawn again: to draw again would raise the chances
+// of all the rest, and samples of the authors' program would no longer fit.
+//
+// The order of draws and how many numbers each takes are part of every result,
+// as streams are named by individual and not by draw: an added draw changes all
+// that follow in that child, and with it all runs with that seed.
+
 #include "runtime/vary/mutate.h"
 
 #include <algorithm>

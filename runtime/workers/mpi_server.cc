@@ -21,7 +21,7 @@ void RankServer::Serve() {
     }
     HandOut();
     is_active |= Answer(is_active ? 0 : patience);
-    TellOfWorkers();
+    ReportWorkers();
   }
 }
 
@@ -33,8 +33,8 @@ bool RankServer::Obey(RankWords words) {
       assert(words.text.size() == sizeof seconds);
       std::memcpy(&seconds, words.text.data(), sizeof seconds);
       pool_.SetHangSeconds(seconds);
-      told_workers_ = pool_.workers();
-      Tell(RankWord::kHello, told_workers_, ProgramVersion());
+      reported_workers_ = pool_.workers();
+      Send(RankWord::kHello, reported_workers_, ProgramVersion());
       return true;
     }
     case RankWord::kWork:
@@ -42,12 +42,12 @@ bool RankServer::Obey(RankWords words) {
       return true;
     case RankWord::kCancel:
       for (const auto& [ticket, request] : waiting_)
-        Tell(RankWord::kCancelled, ticket);
+        Send(RankWord::kCancelled, ticket);
       waiting_.clear();
-      Tell(RankWord::kAllCancelled);
+      Send(RankWord::kAllCancelled);
       return true;
     case RankWord::kEnd:
-      Tell(RankWord::kBye);
+      Send(RankWord::kBye);
       return false;
     default:
       assert(false);  // words that are said to rank 0
@@ -72,26 +72,26 @@ bool RankServer::Answer(int patience_ms) {
   const std::vector<Reply> replies = pool_.Wait(patience_ms);
   for (const Reply& reply : replies) {
     if (reply.answer)
-      Tell(RankWord::kAnswer, reply.ticket, *reply.answer);
+      Send(RankWord::kAnswer, reply.ticket, *reply.answer);
     else
-      Tell(RankWord::kDeath, reply.ticket, reply.death);
+      Send(RankWord::kDeath, reply.ticket, reply.death);
   }
   return !replies.empty();
 }
 
-void RankServer::TellOfWorkers() {
+void RankServer::ReportWorkers() {
   if (pool_.failure() && !has_failed_) {
     has_failed_ = true;
     // Rank 0 gives what we had to others.
     waiting_.clear();
-    Tell(RankWord::kFailure, 0, *pool_.failure());
-  } else if (pool_.workers() != told_workers_) {
-    told_workers_ = pool_.workers();
-    Tell(RankWord::kWorkers, told_workers_);
+    Send(RankWord::kFailure, 0, *pool_.failure());
+  } else if (pool_.workers() != reported_workers_) {
+    reported_workers_ = pool_.workers();
+    Send(RankWord::kWorkers, reported_workers_);
   }
 }
 
-void RankServer::Tell(RankWord word, int number, std::string text) {
+void RankServer::Send(RankWord word, int number, std::string text) {
   link_.Send(0, Encode({word, number, std::move(text)}));
 }
 

@@ -26,13 +26,13 @@ class RankServer {
   bool Obey(RankWords words);
   void HandOut();
   bool Answer(int patience_ms);
-  void TellOfWorkers();
-  void Tell(RankWord word, int number = 0, std::string text = "");
+  void ReportWorkers();
+  void Send(RankWord word, int number = 0, std::string text = "");
 
   RankLink& link_;
   WorkerPool& pool_;
   std::deque<std::pair<int, std::string>> waiting_;  // ticket and request
-  int told_workers_ = 0;
+  int reported_workers_ = 0;
   bool has_failed_ = false;
 };
 

@@ -1,3 +1,21 @@
+// The pools of all ranks behind the one interface of Workers (decision 11). A
+// request is at any time in exactly one place: in `waiting_`, or among the
+// requests of the rank that has it, with its text, so that it can be given to
+// another if that rank has no workers any more. It goes to whoever has most
+// idle workers; which one that is depends on the clock, so nothing of the
+// answer may.
+//
+// MPI's own waiting keeps a core busy, and the core belongs to a worker. So
+// nothing here waits inside MPI: messages are looked for between looks at our
+// own pool, with pauses that grow while nothing comes (mpi_pause). While
+// something is still being sent there is no pause, as MPI moves long messages
+// on only when it is called.
+//
+// Each other rank may have one request a worker in advance, which hides the way
+// there and back, but only while more wait than there are workers: towards the
+// end of a generation a request that waits behind a long simulation would hold
+// up all.
+
 #include "runtime/workers/mpi_workers.h"
 
 #include <fmt/format.h>
@@ -106,6 +124,7 @@ void MpiWorkers::Give(std::size_t rank, int ticket, std::string request) {
 
 void MpiWorkers::CancelWaiting() {
   waiting_.clear();
+  // Our own pool has nothing in advance (ChooseRank), so nothing to take back.
   for (std::size_t i = 1; i < ranks_.size(); ++i) {
     if (ranks_[i].is_cancelling || ranks_[i].load() <= ranks_[i].workers)
       continue;
@@ -136,14 +155,14 @@ bool MpiWorkers::ReceiveAll(std::vector<Reply>& replies) {
   bool is_active = false;
   while (auto message = link_.Receive()) {
     is_active = true;
-    Hear(static_cast<std::size_t>(message->rank), Decode(message->text),
-         replies);
+    Handle(static_cast<std::size_t>(message->rank), Decode(message->text),
+           replies);
   }
   return is_active;
 }
 
-void MpiWorkers::Hear(std::size_t rank, RankWords words,
-                      std::vector<Reply>& replies) {
+void MpiWorkers::Handle(std::size_t rank, RankWords words,
+                        std::vector<Reply>& replies) {
   const int ticket = words.number;
   switch (words.word) {
     case RankWord::kHello:

@@ -51,7 +51,7 @@ class MpiWorkers : public Workers {
   std::optional<std::size_t> ChooseRank() const;
   void Give(std::size_t rank, int ticket, std::string request);
   bool ReceiveAll(std::vector<Reply>& replies);
-  void Hear(std::size_t rank, RankWords words, std::vector<Reply>& replies);
+  void Handle(std::size_t rank, RankWords words, std::vector<Reply>& replies);
   void Greet(std::size_t rank, const RankWords& hello);
   void Fail(std::size_t rank, const std::string& reason);
   bool WaitForOwn(int patience_ms, std::vector<Reply>& replies);

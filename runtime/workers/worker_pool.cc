@@ -1,3 +1,26 @@
+// One thread, one poll over the workers' sockets, nothing that blocks: an owner
+// that waits in a write while its worker waits in a write of an answer would
+// wait for ever, and requests and answers may be larger than a socket's buffer.
+// Each worker has one request at a time, so its socket carries one text in each
+// direction.
+//
+// A request is at any time in exactly one place: it waits, or a worker has it.
+// It leaves with exactly one reply, or is cancelled while it waits. Whatever is
+// wrong with a worker (its socket closed, no frame, an answer to nothing, no
+// answer for too long) has one consequence: it is killed and reaped, another is
+// started, and its request goes to the front of the queue, once. Who kills two
+// workers is answered with how the second died, as the next would die of it
+// too.
+//
+// Time is measured only to find those that hang, and as their own time
+// (worker_watch), since a machine that sleeps must not kill them all. No result
+// depends on it.
+//
+// A wait costs one system call and a look at each worker; an exchange of texts
+// some 0.1 to 0.2 ms (decision 2). Forking is cheap as long as the process has
+// little in memory and one thread, which is why the pool is made before the
+// run.
+
 #include "runtime/workers/worker_pool.h"
 
 #include <fmt/format.h>
@@ -130,8 +153,8 @@ std::vector<Reply> WorkerPool::Wait(int timeout_ms) {
     if (has_events && events[i] != 0)
       reply = Attend(workers_[i], events[i]);
     else if (Hangs(workers_[i], waited))
-      reply = Bury(workers_[i],
-                   fmt::format("no answer for {:g} s", options_.hang_seconds));
+      reply = Replace(workers_[i], fmt::format("no answer for {:g} s",
+                                               options_.hang_seconds));
     if (reply) replies.push_back(std::move(*reply));
   }
   // Those that could not be replaced.
@@ -169,8 +192,8 @@ std::optional<Reply> WorkerPool::Attend(Worker& worker, short events) {
     return TakeReply(worker, std::move(*answer));
   // Also one that answers without being asked.
   if (worker.reader.is_broken() || !worker.request)
-    return Bury(worker, is_open ? "an answer that is none" : "");
-  return is_open ? std::nullopt : Bury(worker, "");
+    return Replace(worker, is_open ? "an answer that is none" : "");
+  return is_open ? std::nullopt : Replace(worker, "");
 }
 
 Reply WorkerPool::TakeReply(Worker& worker, std::string answer) {
@@ -196,8 +219,8 @@ bool WorkerPool::Hangs(Worker& worker, double waited) const {
 
 /// Replaces a worker that died, or that must for `cause`. What it worked on is
 /// begun again, once.
-std::optional<Reply> WorkerPool::Bury(Worker& worker,
-                                      const std::string& cause) {
+std::optional<Reply> WorkerPool::Replace(Worker& worker,
+                                         const std::string& cause) {
   const std::string end = EndWorker(worker.process);
   std::optional<Reply> reply;
   if (worker.request && ++worker.request->deaths >= kMaxDeaths)

@@ -76,7 +76,7 @@ class WorkerPool : public Workers {
   std::optional<Reply> Attend(Worker& worker, short events);
   bool Hangs(Worker& worker, double waited) const;
   Reply TakeReply(Worker& worker, std::string answer);
-  std::optional<Reply> Bury(Worker& worker, const std::string& cause);
+  std::optional<Reply> Replace(Worker& worker, const std::string& cause);
 
   WorkerPoolOptions options_;
   Work work_;

@@ -34,7 +34,8 @@ class Workers {
   /// that are outstanding.
   virtual void Submit(int ticket, std::string request) = 0;
   /// Forgets requests that no worker has begun; they get no reply. Those that
-  /// wait on other machines stay outstanding until a Wait has heard of them.
+  /// wait on other machines stay outstanding until a Wait has received word of
+  /// them.
   virtual void CancelWaiting() = 0;
   /// Waits for replies, at most `timeout_ms` or until a signal comes; may come
   /// back earlier with none. In the order of arrival, which is not that of

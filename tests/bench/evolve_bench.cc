@@ -24,6 +24,7 @@
 
 #include "runtime/develop/phenotype_json.h"
 #include "runtime/evolve/evolve.h"
+#include "runtime/life/simulated.h"
 #include "runtime/store/run_store.h"
 
 namespace plsc {

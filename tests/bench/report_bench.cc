@@ -27,6 +27,7 @@
 #include "runtime/cli/arguments/command.h"
 #include "runtime/develop/phenotype_json.h"
 #include "runtime/evolve/evolve.h"
+#include "runtime/life/simulated.h"
 #include "runtime/store/checksum.h"
 #include "runtime/store/database.h"
 #include "runtime/store/run_store.h"

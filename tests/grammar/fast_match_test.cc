@@ -50,7 +50,7 @@ std::ostream& operator<<(std::ostream& out, const ast::Value& value) {
              << ' ' << value.number << ' ';
 }
 
-void ShowPools(const ast::File& file, std::ostream& out) {
+void DumpPools(const ast::File& file, std::ostream& out) {
   for (const ast::Symbol& s : file.symbols)
     out << s.span << s.name << s.arguments << s.has_parens << '\n';
   for (const ast::Value& value : file.arguments) out << value << '\n';
@@ -69,7 +69,7 @@ void ShowPools(const ast::File& file, std::ostream& out) {
 }
 
 // Everything that parsing made of a text.
-std::string Show(const Builder& b) {
+std::string Dump(const Builder& b) {
   const ast::File& file = b.file;
   std::ostringstream out;
   out.precision(17);
@@ -88,14 +88,14 @@ std::string Show(const Builder& b) {
     out << s.name << s.bounds.low << s.bounds.high << s.values << '\n';
   for (const ast::Environment& e : file.environments)
     out << e.name << e.open << e.close << e.entries << '\n';
-  ShowPools(file, out);
+  DumpPools(file, out);
   for (const Diagnostic& d : b.reporter.diagnostics())
     out << '\n' << d.span << NumberOf(d.code) << d.message << d.label << d.help;
   return out.str();
 }
 
 bool IsSame(const std::string& text) {
-  return Show(Build<ByRules>(text)) == Show(Build<ByScanners>(text));
+  return Dump(Build<ByRules>(text)) == Dump(Build<ByScanners>(text));
 }
 
 std::vector<std::string> Programs() {

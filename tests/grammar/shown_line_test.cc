@@ -6,7 +6,7 @@ namespace plsc {
 namespace {
 
 std::string Whole(std::string_view line) {
-  const ShownLine shown = Show(line);
+  const ShownLine shown = ShownLineOf(line);
   return shown.Text(0, shown.columns.size());
 }
 
@@ -44,7 +44,7 @@ TEST_CASE("what is shown of a line is harmless", "[shown_line]") {
 }
 
 TEST_CASE("every byte knows its column", "[shown_line]") {
-  const ShownLine shown = Show("ö\tx");
+  const ShownLine shown = ShownLineOf("ö\tx");
   CHECK(shown.column_of_byte == std::vector<std::size_t>{0, 0, 1, 4, 5});
 }
 

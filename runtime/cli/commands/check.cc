@@ -18,7 +18,7 @@ bool UsesColor(ColorChoice choice, const Io& io) {
          (choice == ColorChoice::kAuto && io.err_in_color);
 }
 
-void Show(const CheckedFile& file, const CheckCommand& command, Io& io) {
+void Report(const CheckedFile& file, const CheckCommand& command, Io& io) {
   switch (command.format) {
     case CheckFormat::kText:
       io.err << Render(
@@ -50,11 +50,11 @@ FileCheck CheckOne(const std::string& name, const CheckCommand& command,
       io.err << fmt::format("error[{}]: {}\n", NumberOf(problem.code),
                             Escaped(problem.message));
     else
-      Show(file, command, io);
+      Report(file, command, io);
     return {{std::move(file)}, false, ""};
   }
   FileCheck check = CheckFile(*source, command, io);
-  for (const CheckedFile& file : check.findings) Show(file, command, io);
+  for (const CheckedFile& file : check.findings) Report(file, command, io);
   if (is_text) io.out << check.contents;
   return check;
 }

@@ -14,6 +14,7 @@
 #include "runtime/cli/files/load_yaml.h"
 #include "runtime/cli/running/interrupt.h"
 #include "runtime/evolve/worker_request.h"
+#include "runtime/life/evaluation.h"
 #include "runtime/workers/worker_count.h"
 #include "runtime/workers/worker_pool.h"
 
@@ -107,7 +108,7 @@ class Evaluations {
         pool_.WakeOn(-1);
       const bool can_take = has_room() && lines_.has_line();
       for (const Reply& reply : pool_.Wait(can_take ? 0 : kLongestWait))
-        Tell(reply);
+        Report(reply);
       if (!lines_.is_at_end()) pool_.WakeOn(io_.input_descriptor);
     }
     return Status();
@@ -137,7 +138,7 @@ class Evaluations {
     asked_[ticket] = {line.number, std::move(examined.id)};
   }
 
-  void Tell(const Reply& reply) {
+  void Report(const Reply& reply) {
     const Asked asked = std::move(asked_.extract(reply.ticket).mapped());
     if (reply.answer) return Print(reply.ticket, *reply.answer);
     ++failed_;
@@ -151,8 +152,8 @@ class Evaluations {
       io_.out << answer << '\n';
     } else {
       early_[ticket] = answer;
-      for (; early_.contains(told_); ++told_)
-        io_.out << early_.extract(told_).mapped() << '\n';
+      for (; early_.contains(printed_); ++printed_)
+        io_.out << early_.extract(printed_).mapped() << '\n';
     }
     io_.out.flush();  // the asker waits for it
   }
@@ -174,7 +175,7 @@ class Evaluations {
   int next_ = 0;                // ticket
   std::map<int, Asked> asked_;  // by ticket; those with the workers
   // Of in_order: who is answered next, and answers that wait for others.
-  int told_ = 0;
+  int printed_ = 0;
   std::map<int, std::string> early_;
   std::size_t failed_ = 0;
 };

@@ -48,7 +48,7 @@ void PrintJson(const EvolveCommand& command, const RunOutcome& outcome,
 }
 
 void PrintEffort(const Effort& effort, Io& io) {
-  const JudgingCounts& counts = effort.counts;
+  const EvaluationCounts& counts = effort.counts;
   const auto seasons = counts.simulations + counts.looked_up;
   io.err << fmt::format(
       "{} evaluations in {} ({:.1f}/s), {:.0f} x real time, {:.0f} % of "

@@ -12,6 +12,7 @@
 #include "runtime/cli/files/open_run.h"
 #include "runtime/evolve/generation_evaluator.h"
 #include "runtime/evolve/worker_request.h"
+#include "runtime/life/evaluation.h"
 #include "runtime/store/verify.h"
 #include "runtime/text/json_dump.h"
 #include "runtime/workers/worker_count.h"
@@ -73,38 +74,38 @@ Expected<std::vector<Stored>, Failure> Load(RunStore& store,
   return batch;
 }
 
-/// Judges all anew, as a run does but that nothing is known.
+/// Evaluates all anew, as a run does but that nothing is known.
 class Replays {
  public:
   Replays(const Experiment& experiment, int jobs)
       : planner_(experiment.scenario),
         pool_({jobs, HangSeconds(experiment)}, WorkOf(planner_)),
-        judging_(planner_, pool_, {}) {}
+        evaluator_(planner_, pool_, {}) {}
 
   /// In the order of `batch`; fewer if there are no workers any more.
-  std::vector<Replayed> Judge(const std::vector<Stored>& batch) {
+  std::vector<Replayed> Evaluate(const std::vector<Stored>& batch) {
     std::vector<Individual> robots;
     for (const Stored& stored : batch) {
       robots.push_back(stored.individual);
       robots.back().evaluation = {};
     }
     std::vector<Replayed> replayed(batch.size());
-    judging_.Begin(robots);
-    while (judging_.outstanding() > 0 && !judging_.failure())
-      for (const Verdict& verdict : judging_.Wait(1000)) {
-        const Stored& stored = batch[verdict.robot];
-        replayed[verdict.robot] =
-            Compare(stored.individual, stored.evidence, verdict.life);
+    evaluator_.Begin(robots);
+    while (evaluator_.outstanding() > 0 && !evaluator_.failure())
+      for (const EvaluatedRobot& one : evaluator_.Wait(1000)) {
+        const Stored& stored = batch[one.robot];
+        replayed[one.robot] =
+            Compare(stored.individual, stored.evidence, one.life);
       }
-    if (judging_.failure()) replayed.clear();
+    if (evaluator_.failure()) replayed.clear();
     return replayed;
   }
-  const MaybeFailure& failure() const { return judging_.failure(); }
+  const MaybeFailure& failure() const { return evaluator_.failure(); }
 
  private:
   const LifePlanner planner_;
   WorkerPool pool_;
-  Judging judging_;
+  GenerationEvaluator evaluator_;
 };
 
 }  // namespace
@@ -130,7 +131,7 @@ Exit Run(const ReplayCommand& command, Io& io) {
     rest = rest.subspan(now.size());
     const Expected<std::vector<Stored>, Failure> batch = Load(store, now);
     if (!batch) return Complain(batch.error(), io);
-    const std::vector<Replayed> replayed = replays.Judge(*batch);
+    const std::vector<Replayed> replayed = replays.Evaluate(*batch);
     if (replayed.empty()) return Complain(*replays.failure(), io);
     for (const Replayed& one : replayed) {
       different += one.differences.empty() ? 0 : 1;
@@ -144,7 +145,7 @@ Exit Run(const ReplayCommand& command, Io& io) {
       "error: {} of {} robots came out otherwise\n"
       "= help: another version of plsc or of ODE ({} began this run), or "
       "another kind of processor, may be why\n",
-      different, ids->size(), TellVersions(store.versions()));
+      different, ids->size(), VersionsText(store.versions()));
   return Exit::kBadInput;
 }
 

@@ -81,7 +81,7 @@ void CompareSeasons(const SeasonResult& stored, const SeasonResult& now,
 
 Replayed Compare(const Individual& stored,
                  const std::vector<SeasonEvidence>& evidence,
-                 const JudgedLife& now) {
+                 const EvaluatedLife& now) {
   Replayed replayed;
   replayed.id = stored.id;
   const auto& seasons = stored.evaluation.seasons;

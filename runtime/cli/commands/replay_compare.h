@@ -29,6 +29,6 @@ struct Replayed {
 /// Bit for bit, but that -0 and 0 are equal: a store keeps no sign of zero.
 Replayed Compare(const Individual& stored,
                  const std::vector<SeasonEvidence>& evidence,
-                 const JudgedLife& now);
+                 const EvaluatedLife& now);
 
 }  // namespace plsc::cli

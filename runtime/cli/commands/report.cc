@@ -29,7 +29,7 @@ class ReadingLine {
  public:
   ReadingLine(Io& io, bool is_shown)
       : io_(io), is_shown_(is_shown && io.err_is_terminal) {}
-  void Show(std::size_t done, std::size_t total) {
+  void Report(std::size_t done, std::size_t total) {
     if (!is_shown_ || total < 2) return;
     io_.err << fmt::format("\rreading runs: {}/{}{}", done, total,
                            done == total ? "\n" : "")
@@ -66,23 +66,23 @@ std::string Summary(const StudyReport& report) {
 }
 
 /// Runs by whether there is something to show of them.
-struct Told {
+struct ReportedRuns {
   int readable = 0;
   int damaged = 0;
 };
 
 /// Says what is wrong with runs.
-Told TellProblems(const StudyReport& report, Io& io) {
-  Told told;
+ReportedRuns ReportProblems(const StudyReport& report, Io& io) {
+  ReportedRuns reported;
   for (const ReportRun& run : report.runs) {
     if (run.reading.state == RunState::kDamaged) {
-      ++told.damaged;
+      ++reported.damaged;
       io.err << fmt::format("error: {}\n", Escaped(run.reading.problem));
     } else if (run.reading.state != RunState::kMissing) {
-      ++told.readable;
+      ++reported.readable;
     }
   }
-  return told;
+  return reported;
 }
 
 Output OutputOf(const ReportCommand& command) {
@@ -123,14 +123,15 @@ Exit Run(const ReportCommand& command, Io& io) {
   ReadingLine line(io, !command.quiet);
   const StudyReport report = BuildReport(
       *inputs, *measures,
-      [&](std::size_t done, std::size_t total) { line.Show(done, total); },
+      [&](std::size_t done, std::size_t total) { line.Report(done, total); },
       command.verify);
-  const Told told = TellProblems(report, io);
-  if (told.readable == 0 && told.damaged == 0)
+  const ReportedRuns reported = ReportProblems(report, io);
+  if (reported.readable == 0 && reported.damaged == 0)
     return Complain("none of these runs is begun yet", io);
-  if (told.readable == 0) return Exit::kBadInput;
+  if (reported.readable == 0) return Exit::kBadInput;
   const Exit written = Write(command, report, io);
-  return written == Exit::kFine && told.damaged > 0 ? Exit::kBadInput : written;
+  return written == Exit::kFine && reported.damaged > 0 ? Exit::kBadInput
+                                                        : written;
 }
 
 }  // namespace plsc::cli

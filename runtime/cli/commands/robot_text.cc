@@ -4,7 +4,7 @@
 
 #include "grammar/shown_line.h"
 #include "runtime/develop/develop.h"
-#include "runtime/life/season_teller.h"
+#include "runtime/life/season_developer.h"
 #include "runtime/pictures/body_text.h"
 
 namespace plsc::cli {

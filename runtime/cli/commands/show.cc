@@ -152,7 +152,7 @@ void PrintRunText(const RunStore& store, const Standing& standing,
       "{} (seed {}), by {}\n{}{}: {} of {} generations, {} of {} robots "
       "evaluated\n",
       experiment.name.empty() ? "run without a name" : Escaped(experiment.name),
-      experiment.seed, TellVersions(store.versions()), standing.state,
+      experiment.seed, VersionsText(store.versions()), standing.state,
       standing.worker.empty() ? "" : " by " + Escaped(standing.worker),
       status.generations, experiment.generations, status.evaluations,
       Evaluations(experiment));

@@ -34,8 +34,8 @@ std::optional<std::vector<NamedEnvironment>> EnvironmentsOf(
   return environments;
 }
 
-Exit TellOne(const LoadedFile& file, std::size_t index,
-             const StatsCommand& command, Io& io) {
+Exit ReportGenotype(const LoadedFile& file, std::size_t index,
+                    const StatsCommand& command, Io& io) {
   const Program& program = file.all[index].program;
   const auto environments = EnvironmentsOf(program, command.environments, io);
   if (!environments) return Exit::kBadUsage;
@@ -52,12 +52,12 @@ Exit TellOne(const LoadedFile& file, std::size_t index,
   return Exit::kFine;
 }
 
-Exit TellFile(const std::string& path, const StatsCommand& command, Io& io) {
+Exit ReportFile(const std::string& path, const StatsCommand& command, Io& io) {
   const auto file = LoadFile(path, command.allow_range, io);
   if (!file) return Exit::kBadInput;
   Exit worst = Exit::kFine;
   for (const std::size_t index : file->chosen) {
-    const Exit exit = TellOne(*file, index, command, io);
+    const Exit exit = ReportGenotype(*file, index, command, io);
     if (exit != Exit::kFine) worst = exit;
   }
   return worst;
@@ -68,7 +68,7 @@ Exit TellFile(const std::string& path, const StatsCommand& command, Io& io) {
 Exit Run(const StatsCommand& command, Io& io) {
   Exit worst = Exit::kFine;
   for (const std::string& file : command.files) {
-    const Exit exit = TellFile(file, command, io);
+    const Exit exit = ReportFile(file, command, io);
     if (exit != Exit::kFine) worst = exit;
   }
   return worst;

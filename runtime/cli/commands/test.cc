@@ -61,12 +61,13 @@ Output OutputOf(const TestCommand& command) {
   return output;
 }
 
-// Collects what is told while the tests run.
-class Teller {
+// Collects what is reported while the tests run.
+class TestReporter {
  public:
-  Teller(const TestCommand& command, Io& io) : command_(command), io_(io) {}
+  TestReporter(const TestCommand& command, Io& io)
+      : command_(command), io_(io) {}
 
-  void Tell(const TestedFile& tested) {
+  void Report(const TestedFile& tested) {
     Count(tested, totals_);
     const bool to_file = !command_.output.empty();
     const std::string text = TestText(tested);
@@ -116,17 +117,17 @@ Exit Run(const TestCommand& command, Io& io) {
   }
   if (!CanWrite(OutputOf(command), io)) return Exit::kBadInput;
   const FoundTests found = FindTests(command.paths);
-  Teller teller(command, io);
-  for (const TestedFile& problem : found.problems) teller.Tell(problem);
+  TestReporter reporter(command, io);
+  for (const TestedFile& problem : found.problems) reporter.Report(problem);
   const auto jobs =
       static_cast<std::size_t>(WorkerCount(command.jobs.value_or(0)));
   for (std::size_t i = 0; i < found.tests.size(); i += kBatch)
     for (TestOutcome& outcome :
          RunBatch(found.tests, i, jobs, command.update)) {
       WriteGolden(outcome);
-      teller.Tell(outcome.tested);
+      reporter.Report(outcome.tested);
     }
-  return teller.Finish();
+  return reporter.Finish();
 }
 
 }  // namespace plsc::cli

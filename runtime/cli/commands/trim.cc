@@ -65,7 +65,7 @@ std::string NamesOf(const ComparedRegime& regime) {
   return text;
 }
 
-void TellProof(const Source& source, const Trimmed& trimmed, Io& io) {
+void ReportProof(const Source& source, const Trimmed& trimmed, Io& io) {
   for (const TrimmedGenotype& one : trimmed.genotypes) {
     io.err << fmt::format(
         "{}: {}: {}, {} and {} left out\n", Escaped(source.name()), one.name,
@@ -151,7 +151,7 @@ Exit Run(const TrimCommand& command, Io& io) {
   if (command.format == OutputFormat::kJson)
     io.out << DumpJson(TrimJson(file->source, *trimmed)) << '\n';
   else
-    TellProof(file->source, *trimmed, io);
+    ReportProof(file->source, *trimmed, io);
   const bool would_change = trimmed->text != file->source.text();
   return command.check && would_change ? Exit::kBadInput : Exit::kFine;
 }

@@ -145,7 +145,7 @@ std::string RemarkOn(const ToLive& one, const std::vector<SeasonResult>& now) {
   if (IsSame(one.stored, now)) return "";
   return fmt::format(
       "this life is not, to the last bit, the one of the run, which {} began",
-      TellVersions(one.versions));
+      VersionsText(one.versions));
 }
 
 std::optional<ViewedLife> LiveNow(const ToLive& one, Io& io) {

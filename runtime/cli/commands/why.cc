@@ -10,6 +10,7 @@
 #include "runtime/cli/files/load_program.h"
 #include "runtime/cli/robots/robot_source.h"
 #include "runtime/develop/environment_json.h"
+#include "runtime/develop/part_names.h"
 #include "runtime/history/history_text.h"
 #include "runtime/history/provenance_json.h"
 #include "runtime/history/provenance_text.h"

@@ -22,7 +22,7 @@ std::optional<Source> Load(const std::string& path, Io& io) {
   return std::nullopt;
 }
 
-void Tell(const Findings& findings, Io& io) {
+void Report(const Findings& findings, Io& io) {
   for (const CheckedFile& file : findings)
     Report(file.diagnostics, file.source, io);
 }
@@ -103,7 +103,7 @@ std::optional<Scenario> LoadScenario(const std::string& path, Io& io) {
   if (!source) return std::nullopt;
   Findings findings;
   auto scenario = ReadScenarioText(*source, findings);
-  Tell(findings, io);
+  Report(findings, io);
   return scenario;
 }
 
@@ -112,7 +112,7 @@ std::optional<Experiment> LoadExperiment(const std::string& path, Io& io) {
   if (!source) return std::nullopt;
   Findings findings;
   auto experiment = ReadExperimentText(*source, findings, io);
-  Tell(findings, io);
+  Report(findings, io);
   return experiment;
 }
 
@@ -121,7 +121,7 @@ std::optional<Study> LoadStudy(const std::string& path, Io& io) {
   if (!source) return std::nullopt;
   Findings findings;
   auto study = ReadStudyText(*source, findings, io);
-  Tell(findings, io);
+  Report(findings, io);
   return study;
 }
 

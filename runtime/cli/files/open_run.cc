@@ -66,7 +66,7 @@ Expected<std::vector<int>, Failure> EvaluatedIds(RunStore& store) {
   return ids;
 }
 
-std::string TellVersions(const Versions& versions) {
+std::string VersionsText(const Versions& versions) {
   return Escaped(fmt::format("plsc {}, ODE {}, compiler {}", versions.plsc,
                              versions.ode, versions.compiler));
 }

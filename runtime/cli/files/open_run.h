@@ -26,6 +26,6 @@ Expected<std::vector<int>, Failure> IdsOf(
 Expected<std::vector<int>, Failure> EvaluatedIds(RunStore& store);
 
 /// "plsc 0.1.0, ODE 0.16.2, compiler 12.2.0".
-std::string TellVersions(const Versions& versions);
+std::string VersionsText(const Versions& versions);
 
 }  // namespace plsc::cli

@@ -11,8 +11,8 @@
 #include "runtime/cli/files/load_yaml.h"
 #include "runtime/cli/files/open_run.h"
 #include "runtime/cli/robots/recorded_life.h"
+#include "runtime/life/season_developer.h"
 #include "runtime/life/season_environments.h"
-#include "runtime/life/season_teller.h"
 
 namespace plsc::cli {
 

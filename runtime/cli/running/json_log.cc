@@ -140,7 +140,7 @@ void JsonLog::Start(const JsonLogStart& start) {
   Write(DumpJson(json));
 }
 
-void JsonLog::Show(const Progress& progress) {
+void JsonLog::Report(const Progress& progress) {
   const double now = clock_();
   const bool is_new = !has_progress_ || progress.generation != last_.generation;
   meter_.Add(now, progress);

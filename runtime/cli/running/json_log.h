@@ -41,8 +41,8 @@ class JsonLog {
 
   void Start(const JsonLogStart& start);
   /// Writes a line when a generation begins, and every 10 s.
-  void Show(const Progress& progress);
-  /// Time goes on though nothing has happened since Show; cheap.
+  void Report(const Progress& progress);
+  /// Time goes on though nothing has happened since Report; cheap.
   void Tick();
   void Finish(Ending ending, const std::string& failure);
 

@@ -156,7 +156,7 @@ void ProgressLine::SetWorld(std::function<double()> clock,
   width_ = std::move(width);
 }
 
-void ProgressLine::Show(const Progress& progress) {
+void ProgressLine::Report(const Progress& progress) {
   const double now = clock_();
   meter_.Add(now, progress);
   last_ = progress;

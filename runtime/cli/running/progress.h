@@ -37,8 +37,8 @@ class ProgressLine {
   ProgressLine(std::ostream& out, bool is_terminal, int generations,
                std::int64_t evaluations_before = 0);
 
-  void Show(const Progress& progress);
-  /// Time goes on though nothing has happened since Show; cheap.
+  void Report(const Progress& progress);
+  /// Time goes on though nothing has happened since Report; cheap.
   void Tick();
   /// Shows the latest again and goes to the next line.
   void Finish();

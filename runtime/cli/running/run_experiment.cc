@@ -108,8 +108,8 @@ MaybeFailure OpenSalvage(RunRequest& request, Salvage& salvage, Io& io) {
     return fmt::format(
         "'{}' was begun by {}, and this is {} (where that does not matter: "
         "--allow-other-version)",
-        request.salvage, TellVersions(salvage.versions()),
-        TellVersions(ThisProgram()));
+        request.salvage, VersionsText(salvage.versions()),
+        VersionsText(ThisProgram()));
   if (own) request.experiment = own;
   io.err << fmt::format("{} simulated seasons of '{}' can be used\n",
                         salvage.size(), request.salvage);
@@ -132,8 +132,8 @@ struct Stores {
 };
 
 /// Runs what the store has not got yet; prints nothing but progress.
-void Live(const RunRequest& request, Stores& stores, SavedRun saved,
-          RunOutcome& outcome, Io& io) {
+void ExecuteRest(const RunRequest& request, Stores& stores, SavedRun saved,
+                 RunOutcome& outcome, Io& io) {
   RunStore& store = stores.run;
   JsonLog& log = stores.log;
   const Experiment& experiment = outcome.experiment;
@@ -158,8 +158,8 @@ void Live(const RunRequest& request, Stores& stores, SavedRun saved,
   };
   options.on_progress = [&](const Progress& progress) {
     effort.workers = progress.workers;
-    if (!request.quiet) line.Show(progress);
-    log.Show(progress);
+    if (!request.quiet) line.Report(progress);
+    log.Report(progress);
   };
   log.Start({request.path, experiment.name, experiment.seed,
              experiment.generations, done_before, Evaluations(experiment)});
@@ -270,7 +270,7 @@ RunOutcome ExecuteRun(const RunRequest& asked, Io& io) {
   outcome.experiment = store.experiment();
   Expected<SavedRun, Failure> saved = store.Load();
   if (!saved) return complain(saved.error());
-  Live(request, stores, std::move(*saved), outcome, io);
+  ExecuteRest(request, stores, std::move(*saved), outcome, io);
   for (const MaybeFailure& warning :
        {stores.cache ? stores.cache->warning() : MaybeFailure(),
         stores.log.failure()})

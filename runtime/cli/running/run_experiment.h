@@ -40,7 +40,7 @@ struct Effort {
   std::optional<double> busy_share;
   int workers = 0;
   std::int64_t evaluations = 0;
-  JudgingCounts counts;
+  EvaluationCounts counts;
 };
 
 struct RunOutcome {

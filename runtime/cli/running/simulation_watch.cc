@@ -57,11 +57,11 @@ void SimulationWatch::Begin(const Phenotype& robot,
 
 bool SimulationWatch::See(const World& world, std::int64_t step) {
   if (is_recording_) recorder_.See(world, step);
-  if (terminal_ != nullptr && step % kStepsPerLook == 0) Show(step);
+  if (terminal_ != nullptr && step % kStepsPerLook == 0) Report(step);
   return !InterruptHandler::is_interrupted();
 }
 
-void SimulationWatch::Show(std::int64_t step) {
+void SimulationWatch::Report(std::int64_t step) {
   const double now =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start_)
           .count();

@@ -45,7 +45,7 @@ class SimulationWatch : public Watcher {
   Motion FinishSeason();
 
  private:
-  void Show(std::int64_t step);
+  void Report(std::int64_t step);
 
   const Scenario& scenario_;
   std::ostream* terminal_;

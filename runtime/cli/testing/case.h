@@ -2,7 +2,7 @@
 
 // One test: a genotype in one environment against its golden file, a `test`
 // item of the genotype's file, or what is wrong with the file as a whole; and
-// what came out. Made by test_file, shown by test_report.
+// what came out. Made by file, shown by report.
 
 #include <cstdint>
 #include <string>

@@ -1,7 +1,7 @@
 #pragma once
 
 // What `plsc test` tells: for people as text, for scripts a JSON object a
-// test. test_junit has the third form.
+// test. junit has the third form.
 
 #include <string>
 

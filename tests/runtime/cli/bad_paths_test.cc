@@ -233,7 +233,7 @@ const std::vector<BadPath> kBadPaths = {
 };
 
 /// What a child did.
-struct Told {
+struct Reported {
   int status = 0;  ///< as of waitpid
   std::string out;
   std::string err;
@@ -274,8 +274,8 @@ void TouchPipe(const std::string& path) {
   }
 }
 
-Told Run(const std::vector<std::string>& arguments, const World& world,
-         bool is_nobody) {
+Reported Run(const std::vector<std::string>& arguments, const World& world,
+             bool is_nobody) {
   const test::TemporaryFolder folder;
   const std::string file = folder.Write("told", "");
   const int told = ::open(file.c_str(), O_WRONLY | O_CLOEXEC);
@@ -286,7 +286,7 @@ Told Run(const std::vector<std::string>& arguments, const World& world,
   ::close(told);
   const bool has_pipe =
       std::find(arguments.begin(), arguments.end(), "fifo") != arguments.end();
-  Told result;
+  Reported result;
   while (::waitpid(child, &result.status, has_pipe ? WNOHANG : 0) == 0) {
     TouchPipe(world.path() + "/fifo");
     ::usleep(1000);
@@ -306,7 +306,8 @@ void CheckJson(const std::string& out) {
     CHECK(nlohmann::json::accept(line));
 }
 
-void CheckTold(const std::vector<std::string>& arguments, const Told& told) {
+void CheckReported(const std::vector<std::string>& arguments,
+                   const Reported& told) {
   CAPTURE(arguments, told.out, told.err);
   CHECK(WIFEXITED(told.status));
   if (!WIFEXITED(told.status)) return;
@@ -338,7 +339,7 @@ void CheckLine(const World& world, const std::vector<Word>& words,
       arguments.push_back(i == place ? path : words[i].text);
     if (bad.is_copy) Copy(world, words[place].text, path);
     INFO(bad.why);
-    CheckTold(arguments, Run(arguments, world, bad.is_nobody));
+    CheckReported(arguments, Run(arguments, world, bad.is_nobody));
     world.Clean();
   }
 }
@@ -350,8 +351,8 @@ TEST_CASE("No bad path ends a command but by its exit status", "[bad_paths]") {
     std::vector<std::string> good;
     for (const Word& word : words) good.push_back(word.text);
     INFO(line);
-    const Told told = Run(good, world, false);
-    CheckTold(good, told);
+    const Reported told = Run(good, world, false);
+    CheckReported(good, told);
     CHECK(WEXITSTATUS(told.status) == 0);
     world.Clean();
     for (std::size_t i = 0; i < words.size(); ++i)

@@ -37,7 +37,7 @@ TEST_CASE("runs with equal seasons are made, looked up and replayed alike",
                                 {"hot", StateType::kBool, 0, 0, {}}};
   std::size_t turn = 0, skipped = 0;
   for (const std::vector<int>& pattern : test::SeasonPatterns(4)) {
-    // judging_seasons_test.cc has all of them.
+    // generation_seasons_test.cc has all of them.
     if (pattern.size() == 4 && ++skipped % 3 != 0) continue;
     const auto variants = test::PatternVariants(pattern);
     experiment.scenario = variants[turn % variants.size()];

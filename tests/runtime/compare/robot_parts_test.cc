@@ -8,15 +8,15 @@
 namespace plsc {
 namespace {
 
-using Told = std::vector<std::string>;
+using Reported = std::vector<std::string>;
 
-Told CompareSample(const std::function<void(GoldenRobot&)>& change) {
+Reported CompareSample(const std::function<void(GoldenRobot&)>& change) {
   const GoldenRobot expected = *test::GoldenSample().robot;
   GoldenRobot found = expected;
   change(found);
   std::vector<Difference> differences;
   CompareRobots(expected, found, differences);
-  Told lines;
+  Reported lines;
   for (const Difference& difference : differences)
     lines.push_back(Describe(difference));
   return lines;
@@ -46,7 +46,7 @@ TEST_CASE("differences of bodies are told by place", "[golden]") {
   struct Row {
     const char* why;
     std::function<void(GoldenRobot&)> change;
-    Told told;
+    Reported told;
   };
   const std::vector<Row> rows = {
       {"equal", [](GoldenRobot&) {}, {}},
@@ -101,7 +101,7 @@ TEST_CASE("differences of bodies are told by place", "[golden]") {
 }
 
 TEST_CASE("later numbers that move on are one difference", "[golden]") {
-  const Told told = CompareSample([](GoldenRobot& r) {
+  const Reported told = CompareSample([](GoldenRobot& r) {
     Rename(r, "6", "7");
     Rename(r, "5", "6");
     Rename(r, "node2", "node4");
@@ -111,17 +111,17 @@ TEST_CASE("later numbers that move on are one difference", "[golden]") {
     r.modules.push_back(
         {"5", "A1", "2", "left", GoldenCell{-1, 1}, "left", 90});
   });
-  CHECK(told == Told{"module 5 (A1 at x=-1,y=1) added",
-                     "numbers of modules: expected 5 6, found 6 7",
-                     "numbers of nodes: expected node2 node3, found node3 "
-                     "node2"});
+  CHECK(told == Reported{"module 5 (A1 at x=-1,y=1) added",
+                         "numbers of modules: expected 5 6, found 6 7",
+                         "numbers of nodes: expected node2 node3, found node3 "
+                         "node2"});
 }
 
 TEST_CASE("differences of brains are told by node and edge", "[golden]") {
   struct Row {
     const char* why;
     std::function<void(GoldenRobot&)> change;
-    Told told;
+    Reported told;
   };
   const std::vector<Row> rows = {
       {"amplitude",

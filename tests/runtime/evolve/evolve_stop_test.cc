@@ -30,7 +30,7 @@ class Stages : public Recorder {
     stage = "births";
     for (std::size_t i = 0; i < born.size(); ++i)
       if (should_stop()) return std::nullopt;
-    stage = "judging";
+    stage = "evaluation";
     left = born.size();
     return Recorder::OnBirths(born, should_stop);
   }
@@ -124,7 +124,7 @@ TEST_CASE("Every stage finds a stop, and the run goes on as if never left",
     CHECK(rest.result.evaluations == straight.result.evaluations);
     CHECK(seen.generations == whole.generations);
   }
-  for (const char* stage : {"breeding", "births", "judging", "selection"}) {
+  for (const char* stage : {"breeding", "births", "evaluation", "selection"}) {
     CAPTURE(stage);
     CHECK(stages[stage] > 0);
   }

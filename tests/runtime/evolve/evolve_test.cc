@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "runtime/life/simulated.h"
 #include "tests/runtime/evolve/fake_run.h"
 #include "tests/runtime/evolve/memory_cache.h"
 
@@ -155,7 +156,7 @@ TEST_CASE("Evaluations are what the seasons tell", "[evolve]") {
       simulated[piece.first] = planner.Simulate(one.genotype, {}, piece)[0];
       CHECK(seen.evidence[i][piece.first].simulation == piece.keys[0]);
     }
-    const JudgedLife life = planner.Assemble(one.genotype, {}, simulated);
+    const EvaluatedLife life = planner.Assemble(one.genotype, {}, simulated);
     for (std::size_t k = 0; k < 2; ++k) {
       CHECK(life.evaluation.seasons[k].fitness ==
             one.evaluation.seasons[k].fitness);

@@ -1,6 +1,6 @@
 #pragma once
 
-// What tests of whole runs share: a small experiment whose robots are judged
+// What tests of whole runs share: a small experiment whose robots are evaluated
 // by a look at the phenotype instead of by physics, and an observer that keeps
 // all it sees.
 
@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "runtime/evolve/evolve.h"
+#include "runtime/life/simulated.h"
 
 namespace plsc::test {
 

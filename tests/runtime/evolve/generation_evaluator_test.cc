@@ -22,59 +22,60 @@ std::vector<Individual> Robots(int count) {
 
 }  // namespace
 
-TEST_CASE("Everybody gets one verdict, twins share their simulations",
-          "[judging]") {
+TEST_CASE("Everybody is evaluated once, twins share their simulations",
+          "[generation_evaluator]") {
   const LifePlanner planner(PaperScenario(), test::Look);
   Here workers(WorkOf(planner));
-  Judging judging(planner, workers, {});
+  GenerationEvaluator evaluator(planner, workers, {});
   std::vector<Individual> robots = Robots(10);
   robots.push_back(robots.front());
-  judging.Begin(robots);
-  CHECK(judging.outstanding() == 11);
+  evaluator.Begin(robots);
+  CHECK(evaluator.outstanding() == 11);
   std::vector<int> seen(11, 0);
-  std::vector<JudgedLife> lives(11);
-  while (judging.outstanding() > 0)
-    for (Verdict& verdict : judging.Wait(0)) {
-      ++seen[verdict.robot];
-      lives[verdict.robot] = std::move(verdict.life);
+  std::vector<EvaluatedLife> lives(11);
+  while (evaluator.outstanding() > 0)
+    for (EvaluatedRobot& one : evaluator.Wait(0)) {
+      ++seen[one.robot];
+      lives[one.robot] = std::move(one.life);
     }
   CHECK(seen == std::vector<int>(11, 1));
-  CHECK(judging.counts().simulations == workers.submitted);
-  CHECK(judging.counts().simulations + judging.counts().looked_up == 22);
-  CHECK(judging.counts().looked_up >= 2);
+  CHECK(evaluator.counts().simulations == workers.submitted);
+  CHECK(evaluator.counts().simulations + evaluator.counts().looked_up == 22);
+  CHECK(evaluator.counts().looked_up >= 2);
   for (std::size_t i = 0; i < 2; ++i)
     CHECK(lives[0].evaluation.seasons[i].state_hash ==
           lives[10].evaluation.seasons[i].state_hash);
 }
 
-TEST_CASE("Those with an evaluation are not judged again", "[judging]") {
+TEST_CASE("Those with an evaluation are not evaluated again",
+          "[generation_evaluator]") {
   const LifePlanner planner(PaperScenario(), test::Look);
   Here workers(WorkOf(planner));
-  Judging judging(planner, workers, {});
+  GenerationEvaluator evaluator(planner, workers, {});
   std::vector<Individual> robots = Robots(3);
   robots[1].evaluation.seasons.resize(2);
-  judging.Begin(robots);
-  CHECK(judging.outstanding() == 2);
-  while (judging.outstanding() > 0)
-    for (const Verdict& verdict : judging.Wait(0)) CHECK(verdict.robot != 1);
+  evaluator.Begin(robots);
+  CHECK(evaluator.outstanding() == 2);
+  while (evaluator.outstanding() > 0)
+    for (const EvaluatedRobot& one : evaluator.Wait(0)) CHECK(one.robot != 1);
 }
 
 TEST_CASE("A death is an outcome, and the end of workers a failure",
-          "[judging]") {
+          "[generation_evaluator]") {
   const LifePlanner planner(PaperScenario(), test::Look);
   Here workers(WorkOf(planner));
-  Judging judging(planner, workers, {});
+  GenerationEvaluator evaluator(planner, workers, {});
   workers.is_deadly = true;
   const std::vector<Individual> robots = Robots(1);
-  judging.Begin(robots);
-  while (judging.outstanding() > 0)
-    for (const Verdict& verdict : judging.Wait(0))
-      CHECK(verdict.life.evaluation.seasons[1].outcome == Outcome::kWorkerDied);
-  CHECK_FALSE(judging.failure());
-  judging.Begin(robots);
+  evaluator.Begin(robots);
+  while (evaluator.outstanding() > 0)
+    for (const EvaluatedRobot& one : evaluator.Wait(0))
+      CHECK(one.life.evaluation.seasons[1].outcome == Outcome::kWorkerDied);
+  CHECK_FALSE(evaluator.failure());
+  evaluator.Begin(robots);
   workers.Fail();
-  CHECK(judging.Wait(0).empty());
-  CHECK(judging.failure() == "no worker can be started");
+  CHECK(evaluator.Wait(0).empty());
+  CHECK(evaluator.failure() == "no worker can be started");
 }
 
 }  // namespace plsc

@@ -13,6 +13,7 @@
 #include "runtime/evolve/evolve.h"
 #include "runtime/evolve/generation_evaluator.h"
 #include "runtime/evolve/worker_request.h"
+#include "runtime/life/evaluation.h"
 #include "runtime/scenario/scenario_yaml.h"
 #include "tests/runtime/develop/compile_text.h"
 #include "tests/runtime/evolve/fake_run.h"
@@ -108,34 +109,34 @@ std::vector<Individual> Zoo() {
   };
 }
 
-std::vector<JudgedLife> JudgeAll(const std::vector<Individual>& robots,
-                                 const LifePlanner& planner,
-                                 SimulationCache& cache,
-                                 JudgingCounts& counts) {
+std::vector<EvaluatedLife> EvaluateAll(const std::vector<Individual>& robots,
+                                       const LifePlanner& planner,
+                                       SimulationCache& cache,
+                                       EvaluationCounts& counts) {
   Here workers(WorkOf(planner));
-  Judging judging(planner, workers, {&cache});
-  judging.Begin(robots);
-  std::vector<JudgedLife> lives(robots.size());
-  while (judging.outstanding() > 0)
-    for (Verdict& verdict : judging.Wait(0))
-      lives[verdict.robot] = std::move(verdict.life);
-  counts = judging.counts();
+  GenerationEvaluator evaluator(planner, workers, {&cache});
+  evaluator.Begin(robots);
+  std::vector<EvaluatedLife> lives(robots.size());
+  while (evaluator.outstanding() > 0)
+    for (EvaluatedRobot& one : evaluator.Wait(0))
+      lives[one.robot] = std::move(one.life);
+  counts = evaluator.counts();
   return lives;
 }
 
 }  // namespace
 
 TEST_CASE("Whatever seasons are equal, everybody gets its own life",
-          "[judging]") {
+          "[generation_evaluator]") {
   const std::vector<Individual> robots = Zoo();
   for (const std::vector<int>& pattern : SeasonPatterns(4))
     for (const Scenario& scenario : PatternVariants(pattern)) {
       INFO(PrintScenario(scenario));
       const LifePlanner planner(scenario);
       MemoryCache cache;
-      JudgingCounts first, second;
-      const auto lives = JudgeAll(robots, planner, cache, first);
-      const auto again = JudgeAll(robots, planner, cache, second);
+      EvaluationCounts first, second;
+      const auto lives = EvaluateAll(robots, planner, cache, first);
+      const auto again = EvaluateAll(robots, planner, cache, second);
       CHECK(second.simulations == 0);
       CHECK(first.simulations + first.looked_up == second.looked_up);
       for (std::size_t i = 0; i < robots.size(); ++i) {
@@ -148,15 +149,16 @@ TEST_CASE("Whatever seasons are equal, everybody gets its own life",
 }
 
 // One order of work each for the two bodies; the answers come in either order.
-TEST_CASE("Mirrored robots do not swap their seasons", "[judging]") {
+TEST_CASE("Mirrored robots do not swap their seasons",
+          "[generation_evaluator]") {
   const std::vector<Individual> robots = {
       RobotOf(1, Plastic("hot", kOne, kOther)),
       RobotOf(2, Plastic("hot", kOther, kOne))};
   const Scenario scenario = PatternScenario({0, 0});
   const LifePlanner planner(scenario);
   MemoryCache cache;
-  JudgingCounts counts;
-  const auto lives = JudgeAll(robots, planner, cache, counts);
+  EvaluationCounts counts;
+  const auto lives = EvaluateAll(robots, planner, cache, counts);
   CHECK(counts.simulations == 2);
   CHECK(counts.looked_up == 2);
   const auto hash = [&](std::size_t robot, std::size_t season) {
@@ -171,7 +173,7 @@ TEST_CASE("Mirrored robots do not swap their seasons", "[judging]") {
 }
 
 TEST_CASE("Runs with equal seasons show what each robot lives alone",
-          "[judging][evolve]") {
+          "[generation_evaluator][evolve]") {
   const std::vector<std::vector<int>> patterns = SeasonPatterns(4);
   for (std::size_t turn = 0; turn < patterns.size(); ++turn)
     for (const Encoding encoding :

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "runtime/evolve/simulation_cache.h"
+#include "runtime/life/simulated.h"
 
 namespace plsc::test {
 

@@ -23,9 +23,9 @@ Evaluation Of(std::optional<double> flat, std::optional<double> hill) {
 TEST_CASE("Best and median of a season are those of its sorted fitnesses",
           "[season_progress]") {
   SeasonSummary summary;
-  CHECK(summary.Told().empty());
+  CHECK(summary.Summaries().empty());
   summary.Add({});
-  CHECK(summary.Told().empty());
+  CHECK(summary.Summaries().empty());
   std::vector<std::optional<double>> all;
   for (int i = 0; i < 40; ++i) {
     // Every fifth has none; equal ones among them.
@@ -35,7 +35,7 @@ TEST_CASE("Best and median of a season are those of its sorted fitnesses",
     summary.Add(Of(fitness, std::nullopt));
     std::vector<std::optional<double>> sorted = all;
     std::sort(sorted.begin(), sorted.end());
-    const std::vector<SeasonProgress> told = summary.Told();
+    const std::vector<SeasonProgress> told = summary.Summaries();
     REQUIRE(told.size() == 2);
     CHECK(told[0].season == "flat");
     CHECK(told[0].best == sorted.back());

@@ -1,4 +1,5 @@
 #include "runtime/evolve/simulated_frame.h"
+#include "runtime/life/simulated.h"
 
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "runtime/life/simulated.h"
 #include "tests/runtime/evolve/fake_run.h"
 
 namespace plsc {
@@ -17,7 +18,8 @@ Genotype Robot() {
 
 }  // namespace
 
-TEST_CASE("A worker simulates the piece of the life that was sent", "[judge]") {
+TEST_CASE("A worker simulates the piece of the life that was sent",
+          "[worker_request]") {
   const LifePlanner planner(PaperScenario(), test::Look);
   const Work work = WorkOf(planner);
   for (const Senses& inherited : {Senses{}, Senses{{"inclined", "True"}}}) {
@@ -35,7 +37,8 @@ TEST_CASE("A worker simulates the piece of the life that was sent", "[judge]") {
   }
 }
 
-TEST_CASE("A worker needs only the experiment as it is printed", "[judge]") {
+TEST_CASE("A worker needs only the experiment as it is printed",
+          "[worker_request]") {
   Experiment experiment;
   experiment.scenario.seasons[0].duration = 0.5;
   experiment.scenario.seasons[1].duration = 0.5;
@@ -49,7 +52,8 @@ TEST_CASE("A worker needs only the experiment as it is printed", "[judge]") {
   CHECK(told[0].state_hash != 0);
 }
 
-TEST_CASE("A death, or nonsense, is an outcome of every season", "[judge]") {
+TEST_CASE("A death, or nonsense, is an outcome of every season",
+          "[worker_request]") {
   for (const Reply& reply :
        {Reply{1, std::nullopt, "signal 11"}, Reply{1, "nonsense", ""}}) {
     const std::vector<Simulated> told = SimulatedOf(reply, 2);
@@ -60,7 +64,8 @@ TEST_CASE("A death, or nonsense, is an outcome of every season", "[judge]") {
   }
 }
 
-TEST_CASE("Workers may take far longer than any robot needs", "[judge]") {
+TEST_CASE("Workers may take far longer than any robot needs",
+          "[worker_request]") {
   Experiment experiment;
   // Two seasons of 50 s.
   CHECK(HangSeconds(experiment) == Approx(300 + 20 * 100));

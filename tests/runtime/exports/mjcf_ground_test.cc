@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "runtime/text/xml.h"
 #include "tests/sim/bodies.h"
 
 namespace plsc {

@@ -28,8 +28,8 @@ Scenario Short(Lives lives) {
   return scenario;
 }
 
-JudgedLife Judge(const LifePlanner& planner, const Genotype& genotype,
-                 const Senses& inherited = {}) {
+EvaluatedLife Evaluated(const LifePlanner& planner, const Genotype& genotype,
+                        const Senses& inherited = {}) {
   std::vector<std::optional<Simulated>> seasons(
       planner.scenario().seasons.size());
   for (const LifePiece& piece : planner.Plan(genotype, inherited)) {
@@ -72,7 +72,7 @@ TEST_CASE("A life in pieces is the life as a whole", "[life_plan]") {
         CAPTURE(static_cast<int>(lives), static_cast<int>(plasticity), text);
         const Genotype genotype = test::Robot(text);
         const Evaluation whole = Evaluate(genotype, scenario);
-        const JudgedLife pieces = Judge(LifePlanner(scenario), genotype);
+        const EvaluatedLife pieces = Evaluated(LifePlanner(scenario), genotype);
         REQUIRE(pieces.evaluation.seasons.size() == 2);
         for (std::size_t i = 0; i < 2; ++i)
           CheckSame(pieces.evaluation.seasons[i], whole.seasons[i]);
@@ -85,8 +85,8 @@ TEST_CASE("Inherited senses shape the first season of both kinds of lives",
     const LifePlanner planner(Short(lives));
     const Genotype genotype = test::Robot(kPlastic);
     const Senses inherited = {{"inclined", "True"}};
-    const JudgedLife heir = Judge(planner, genotype, inherited);
-    const JudgedLife orphan = Judge(planner, genotype);
+    const EvaluatedLife heir = Evaluated(planner, genotype, inherited);
+    const EvaluatedLife orphan = Evaluated(planner, genotype);
     CHECK(heir.evaluation.seasons[0].body.brick_count == 2);
     CHECK(orphan.evaluation.seasons[0].body.brick_count == 1);
     CHECK(heir.evidence[0].simulation != orphan.evidence[0].simulation);
@@ -178,7 +178,7 @@ TEST_CASE("A death is told with what is known without simulating",
   died.reason = "signal 11";
   const Genotype genotype = test::Robot(kPlastic);
   for (const Lives lives : {Lives::kIndependent, Lives::kContinuous}) {
-    const JudgedLife life =
+    const EvaluatedLife life =
         LifePlanner(Short(lives)).Assemble(genotype, {}, {died, died});
     for (const SeasonResult& season : life.evaluation.seasons) {
       CHECK(season.outcome == Outcome::kWorkerDied);

@@ -47,7 +47,7 @@ TEST_CASE("A run is read while it is written", "[read_run]") {
   const test::Recorder recorder = test::RecordRun(test::StoredExperiment());
   RunStore store;
   REQUIRE_FALSE(store.Create(path, test::StoredExperiment()));
-  REQUIRE(test::Show(recorder, store, 0, 2).empty());
+  REQUIRE(test::Report(recorder, store, 0, 2).empty());
   // Its journal holds all of it.
   const RunReading reading = ReadRun(path, Paper());
   CHECK(reading.problem.empty());

@@ -1,7 +1,7 @@
 #pragma once
 
-// A study like the paper's in little, its lives judged by a look: plastic and
-// baseline in two seasons, and static references; three runs each, of which
+// A study like the paper's in little, its lives evaluated by a look: plastic
+// and baseline in two seasons, and static references; three runs each, of which
 // plastic/3 was stopped and tilted/3 was never begun.
 
 #include <string>

@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "runtime/develop/regulate.h"
-#include "runtime/life/season_teller.h"
+#include "runtime/life/season_developer.h"
 #include "runtime/pictures/body_svg.h"
 #include "tests/runtime/store/stored_run.h"
 #include "tests/runtime/study/small_study.h"
@@ -11,7 +11,7 @@
 namespace plsc {
 namespace {
 
-/// A plastic run of the paper's seasons, judged by a look.
+/// A plastic run of the paper's seasons, evaluated by a look.
 struct PlasticRun {
   test::Scratch scratch;
   std::string path = scratch / "run";

@@ -32,7 +32,8 @@ void WriteKilled(const std::string& path, const Experiment& experiment,
   const Scratch scratch;
   RunStore store;
   REQUIRE(store.Create(scratch / "run", experiment) == std::nullopt);
-  REQUIRE(test::Show(test::RecordRun(experiment), store, 0, generations) == "");
+  REQUIRE(test::Report(test::RecordRun(experiment), store, 0, generations) ==
+          "");
   for (const char* end : {"", "-wal"})
     fs::copy_file((scratch / "run") + end, path + end,
                   fs::copy_options::overwrite_existing);

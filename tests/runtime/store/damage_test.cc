@@ -116,7 +116,7 @@ TEST_CASE("A damaged journal never makes a wrong store", "[damage]") {
     RunStore store;
     REQUIRE(store.Create(scratch / "run", test::StoredExperiment()) ==
             std::nullopt);
-    REQUIRE(test::Show(run, store, 0, 3) == "");
+    REQUIRE(test::Report(run, store, 0, 3) == "");
     file = test::ReadBytes(scratch / "run");
     journal = test::ReadBytes(scratch / "run-wal");
   }

@@ -49,8 +49,8 @@ void WriteKilled(const Scratch& scratch, const std::vector<std::string>& ends) {
   const Scratch made;
   RunStore store;
   REQUIRE(store.Create(made / "run", test::StoredExperiment()) == std::nullopt);
-  REQUIRE(test::Show(test::RecordRun(test::StoredExperiment()), store, 0, 2) ==
-          "");
+  REQUIRE(test::Report(test::RecordRun(test::StoredExperiment()), store, 0,
+                       2) == "");
   for (const std::string& end : ends)
     fs::copy_file((made / "run") + end, (scratch / "run") + end);
   chmod(scratch.path().c_str(), 0755);

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <string>
 
+#include "runtime/life/simulated.h"
 #include "runtime/store/result_dump.h"
 #include "runtime/store/verify.h"
 #include "tests/runtime/store/stored_run.h"

@@ -142,7 +142,7 @@ TEST_CASE("Equal runs give equal files", "[export]") {
     REQUIRE(store.Create(path, test::StoredExperiment()) == std::nullopt);
     REQUIRE(store.BeginSession({"2026-01-01T00:00:00Z", order}) ==
             std::nullopt);
-    REQUIRE(test::Show(run, store, order, 3) == "");
+    REQUIRE(test::Report(run, store, order, 3) == "");
     // While it is still written to.
     for (const CsvTable& table : CsvTables())
       if (order > 0) {

@@ -28,7 +28,7 @@ const Recorder& TheRun() {
   return run;
 }
 
-/// Shows a store what it does not have yet.
+/// Reports to a store what it does not have yet.
 std::string GoOn(RunStore& store) {
   auto saved = store.Load();
   if (!saved) return saved.error().text;

@@ -118,7 +118,7 @@ TEST_CASE("A child that ends in good order leaves its parent's run alone",
   const test::Recorder recorder = test::RecordRun(test::StoredExperiment());
   RunStore store;
   REQUIRE(store.Create(run, test::StoredExperiment()) == std::nullopt);
-  REQUIRE(test::Show(recorder, store, 0, 1) == "");
+  REQUIRE(test::Report(recorder, store, 0, 1) == "");
   const std::vector<std::string> files = {"run", "run-shm", "run-wal"};
   CHECK(scratch.Files() == files);
   const std::string bytes = test::ReadBytes(run);
@@ -179,7 +179,7 @@ TEST_CASE("Whoever asks for the lock leaves SQLite its own", "[lock]") {
   RunStore store;
   REQUIRE(store.Create(run, test::StoredExperiment()) == std::nullopt);
   REQUIRE(store.BeginSession({"2026-03-01T12:00:00Z", 1}) == std::nullopt);
-  REQUIRE(test::Show(recorder, store, 0, 1) == "");
+  REQUIRE(test::Report(recorder, store, 0, 1) == "");
   // A second one in this process, and questions.
   RunStore second;
   CHECK(second.Open(run).value_or("").text.find(

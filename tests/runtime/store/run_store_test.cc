@@ -16,8 +16,8 @@ namespace {
 
 using test::Recorder;
 using test::RecordRun;
+using test::Report;
 using test::Scratch;
-using test::Show;
 using test::StoredExperiment;
 
 const Recorder& TheRun() {
@@ -92,7 +92,7 @@ TEST_CASE("A store gives back all that it was shown, bit for bit",
   RunStore store;
   REQUIRE(store.Create(scratch / "run.sqlite", StoredExperiment()) ==
           std::nullopt);
-  REQUIRE(Show(run, store) == "");
+  REQUIRE(Report(run, store) == "");
   REQUIRE(store.Close() == std::nullopt);
   // Nothing else is left behind.
   CHECK(scratch.Files() == std::vector<std::string>{"run.sqlite"});
@@ -149,7 +149,7 @@ TEST_CASE("Result tables are equal whatever the order of evaluations",
     if (order % 2 == 1)
       REQUIRE(store.BeginSession({"2026-01-01T00:00:00Z", order}) ==
               std::nullopt);
-    REQUIRE(Show(TheRun(), store, order) == "");
+    REQUIRE(Report(TheRun(), store, order) == "");
     REQUIRE(store.Close() == std::nullopt);
     CHECK(Dump(path) == Dump(scratch / "0"));
   }
@@ -368,7 +368,7 @@ TEST_CASE("A store is read while it is written", "[run_store]") {
   RunStore reader;
   REQUIRE(reader.OpenForReading(scratch / "run") == std::nullopt);
   CHECK(reader.Status()->evaluations == 0);
-  REQUIRE(Show(TheRun(), writer, 0, 2) == "");
+  REQUIRE(Report(TheRun(), writer, 0, 2) == "");
   CHECK(reader.Status()->evaluations == 17);
   CHECK(reader.Load()->generations == 2);
   CHECK(Dump(scratch / "run").size() > 10000);

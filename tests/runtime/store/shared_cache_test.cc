@@ -1,4 +1,5 @@
 #include "runtime/store/shared_cache.h"
+#include "runtime/life/simulated.h"
 
 #include <signal.h>
 #include <sys/resource.h>

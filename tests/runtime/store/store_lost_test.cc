@@ -80,7 +80,7 @@ TEST_CASE("A store that is lost is noticed at the next write", "[store_lost]") {
     RunStore store;
     REQUIRE(store.Create(scratch / "run", test::StoredExperiment()) ==
             std::nullopt);
-    REQUIRE(test::Show(run, store, 0, 1) == "");
+    REQUIRE(test::Report(run, store, 0, 1) == "");
     CHECK_FALSE(store.is_lost());
     row.lose(scratch);
     const auto all = [&] {
@@ -111,7 +111,7 @@ TEST_CASE("A store that was moved is whole where it is", "[store_lost]") {
     RunStore store;
     REQUIRE(store.Create(scratch / "run", test::StoredExperiment()) ==
             std::nullopt);
-    REQUIRE(test::Show(run, store, 0, 2) == "");
+    REQUIRE(test::Report(run, store, 0, 2) == "");
     fs::rename(scratch / "run", scratch / "moved");
     CHECK(store.Close());
   }

@@ -18,7 +18,7 @@ TEST_CASE("A store of random robots has a size", "[store_size][slow]") {
   const test::Recorder run = test::RecordRun(experiment);
   RunStore store;
   REQUIRE(store.Create(scratch / "run", experiment) == std::nullopt);
-  REQUIRE(test::Show(run, store) == "");
+  REQUIRE(test::Report(run, store) == "");
   REQUIRE(store.Close() == std::nullopt);
   const auto size = std::filesystem::file_size(scratch / "run");
   std::cout << size / 300 << " bytes a robot, two seasons\n";

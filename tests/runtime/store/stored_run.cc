@@ -9,6 +9,8 @@
 #include <numeric>
 #include <sstream>
 
+#include "runtime/life/simulated.h"
+
 namespace plsc::test {
 
 namespace {
@@ -85,8 +87,8 @@ Recorder RecordRun(const Experiment& experiment) {
   return recorder;
 }
 
-std::string Show(const Recorder& recorder, RunStore& store, int order,
-                 int generations) {
+std::string Report(const Recorder& recorder, RunStore& store, int order,
+                   int generations) {
   MaybeFailure failure;
   for (std::size_t g = 0; g < recorder.births.size() && !failure; ++g) {
     const bool is_last = static_cast<int>(g) == generations;
@@ -114,7 +116,7 @@ void WriteRun(const std::string& path, int generations) {
   static const Recorder recorder = RecordRun(StoredExperiment());
   RunStore store;
   REQUIRE(store.Create(path, StoredExperiment()) == std::nullopt);
-  REQUIRE(Show(recorder, store, 0, generations).empty());
+  REQUIRE(Report(recorder, store, 0, generations).empty());
   REQUIRE(store.Close() == std::nullopt);
 }
 

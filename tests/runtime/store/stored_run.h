@@ -1,6 +1,6 @@
 #pragma once
 
-// Small runs to be stored: every robot really develops, and is judged by a
+// Small runs to be stored: every robot really develops, and is evaluated by a
 // look at it instead of by physics (tests/runtime/evolve/fake_run.h).
 
 #include <filesystem>
@@ -37,12 +37,12 @@ Experiment StoredExperiment();
 /// number, not only a few whole ones.
 Recorder RecordRun(const Experiment& experiment);
 
-/// Shows a store what was recorded, evaluations of a generation in this order:
-/// 0 as they are, 1 backwards, 2 and more by other mixtures. `generations`
-/// completed ones, and then the births and half the evaluations of the next,
-/// if there is one. Empty, or what went wrong.
-std::string Show(const Recorder& recorder, RunStore& store, int order = 0,
-                 int generations = 1000);
+/// Reports to a store what was recorded, evaluations of a generation in this
+/// order: 0 as they are, 1 backwards, 2 and more by other mixtures.
+/// `generations` completed ones, and then the births and half the evaluations
+/// of the next, if there is one. Empty, or what went wrong.
+std::string Report(const Recorder& recorder, RunStore& store, int order = 0,
+                   int generations = 1000);
 
 /// A store with such a run, closed.
 void WriteRun(const std::string& path, int generations = 1000);

@@ -225,7 +225,7 @@ TEST_CASE("A journal that is missing or damaged costs what was in it at most",
   {
     RunStore store;
     REQUIRE(store.Create(path, test::StoredExperiment()) == std::nullopt);
-    REQUIRE(test::Show(run, store, 0, 3) == "");
+    REQUIRE(test::Report(run, store, 0, 3) == "");
     file = ReadBytes(path);
     journal = ReadBytes(path + "-wal");
   }

@@ -1,8 +1,8 @@
 #pragma once
 
 // What tests of studies share: a study of small runs, and their execution with
-// robots that are judged by a look (tests/runtime/evolve/fake_run.h) but stored
-// for real.
+// robots that are evaluated by a look (tests/runtime/evolve/fake_run.h) but
+// stored for real.
 
 #include "runtime/study/run_study.h"
 #include "runtime/study/study.h"

@@ -1,4 +1,4 @@
-// Changes of clauses, the fourth kind of mutation in runtime/evolve/mutate.
+// Changes of clauses, the fourth kind of mutation in runtime/vary/mutate.
 
 #include <catch2/catch.hpp>
 #include <map>

@@ -142,7 +142,7 @@ double CpuSeconds() {
 }
 
 /// What a rank costs that has nothing to do; shown, and never asserted.
-void TellOfIdling(MpiSession& session) {
+void ReportIdling(MpiSession& session) {
   const auto workers = session.MakeWorkers("", 0);
   workers->Submit(0, "x");
   Collect(*workers);
@@ -168,7 +168,7 @@ int Run(const std::string& test) {
     return 0;
   }
   if (test == "idle") {
-    TellOfIdling(session);
+    ReportIdling(session);
   } else if (test != "unused") {
     TestEqualReplies(session);
     TestPlaces(session);

@@ -1,4 +1,4 @@
-// A module looks as it does in the drawings (runtime/formats/svg_style).
+// A module looks as it does in the drawings (runtime/pictures/svg_style).
 export const moduleColours = {
   C: "#ffe135",
   B: "#5b8ff9",

@@ -1,5 +1,5 @@
 // The ground of a season: a plane without end, tilted or not, and what rises
-// from it (runtime/formats/ground_json). Each kind has
+// from it (runtime/recording/ground_json). Each kind has
 //   object          to be put into the scene,
 //   normal          of the plane that shadows fall on,
 //   moveTo([x, y])  which a plane does with the robot, by whole metres,

@@ -30,7 +30,7 @@ Stored Example() {
 TEST_CASE("equal lives have no difference, whatever the sign of zero",
           "[replay_compare]") {
   const auto [stored, evidence] = Example();
-  JudgedLife now = {stored.evaluation, evidence};
+  EvaluatedLife now = {stored.evaluation, evidence};
   now.evaluation.seasons[0].behaviour.contacts = -0.0;
   const cli::Replayed replayed = cli::Compare(stored, evidence, now);
   CHECK(replayed.id == 4);
@@ -43,9 +43,9 @@ TEST_CASE("every kind of value is compared to its last bit",
           "[replay_compare]") {
   struct Row {
     const char* name;
-    std::function<void(JudgedLife&)> change;
+    std::function<void(EvaluatedLife&)> change;
   };
-  using Life = JudgedLife;
+  using Life = EvaluatedLife;
   const std::vector<Row> rows = {
       {"sensed",
        [](Life& l) { l.evaluation.seasons[0].sensed[0].value = "True"; }},
@@ -71,7 +71,7 @@ TEST_CASE("every kind of value is compared to its last bit",
   for (const Row& row : rows) {
     INFO(row.name);
     const auto [stored, evidence] = Example();
-    JudgedLife now = {stored.evaluation, evidence};
+    EvaluatedLife now = {stored.evaluation, evidence};
     row.change(now);
     const cli::Replayed replayed = cli::Compare(stored, evidence, now);
     REQUIRE(replayed.differences.size() == 1);

@@ -63,9 +63,9 @@ TEST_CASE("the log has a start, generations and an end", "[json_log]") {
   Watched watched;
   watched.log.Start(kStart);
   watched.now = 10;
-  watched.log.Show(Done(0, 20));
-  watched.log.Show(Done(0, 30));
-  watched.log.Show(Done(1, 40));
+  watched.log.Report(Done(0, 20));
+  watched.log.Report(Done(0, 30));
+  watched.log.Report(Done(1, 40));
   watched.log.Finish(Ending::kFinished, "");
   const auto lines = watched.lines();
   REQUIRE(lines.size() == 4);
@@ -92,7 +92,7 @@ TEST_CASE("every line of progress has the same keys", "[json_log]") {
   Watched watched;
   watched.log.Start(kStart);
   watched.now = 10;
-  watched.log.Show(Done(0, 20));
+  watched.log.Report(Done(0, 20));
   const ordered_json line = watched.lines()[1];
   CHECK(KeysOf(line) == std::vector<std::string>{
                             "event", "time", "seconds", "generation",
@@ -133,12 +133,12 @@ TEST_CASE("a line comes every ten seconds, whatever happens", "[json_log]") {
   CHECK(watched.lines().size() == 2);
   CHECK(watched.lines()[1]["event"] == "progress");
   watched.now = 11;
-  watched.log.Show(Done(0, 20));
+  watched.log.Report(Done(0, 20));
   watched.now = 20.9;
-  watched.log.Show(Done(0, 21));
+  watched.log.Report(Done(0, 21));
   CHECK(watched.lines().size() == 3);
   watched.now = 21;
-  watched.log.Show(Done(0, 22));
+  watched.log.Report(Done(0, 22));
   CHECK(watched.lines().size() == 4);
 }
 
@@ -152,7 +152,7 @@ TEST_CASE("a file is continued, and complete after each line", "[json_log]") {
     cli::JsonLog log(unused);
     REQUIRE_FALSE(log.Open(path));
     log.Start(kStart);
-    log.Show(Done(0, 1));
+    log.Report(Done(0, 1));
     std::stringstream text;
     text << std::ifstream(path).rdbuf();
     CHECK(LinesOf(text.str()).size() == static_cast<std::size_t>(2 * session));
@@ -170,7 +170,7 @@ TEST_CASE("where nothing can be written the log says why", "[json_log]") {
   REQUIRE_FALSE(full.Open("/dev/full"));
   CHECK_FALSE(full.failure());
   full.Start(kStart);
-  full.Show(Done(0, 1));
+  full.Report(Done(0, 1));
   CHECK(full.failure() ==
         "cannot write to '/dev/full': No space left on device");
 }
@@ -179,7 +179,7 @@ TEST_CASE("a log that was not opened writes nothing", "[json_log]") {
   std::ostringstream out;
   cli::JsonLog log(out);
   log.Start(kStart);
-  log.Show(Done(0, 1));
+  log.Report(Done(0, 1));
   log.Finish(Ending::kStopped, "");
   CHECK(out.str().empty());
 }

@@ -107,26 +107,26 @@ TEST_CASE("a log file gets a line a generation, and one a minute",
           "[progress]") {
   Watched log(false);
   Progress progress = Half();
-  log.line.Show(progress);
+  log.line.Report(progress);
   CHECK(Count(log.out.str(), '\n') == 1);
   log.now = 59;
-  log.line.Show(progress);
+  log.line.Report(progress);
   log.line.Tick();
   CHECK(Count(log.out.str(), '\n') == 1);
   ++progress.generation;
-  log.line.Show(progress);
+  log.line.Report(progress);
   CHECK(Count(log.out.str(), '\n') == 2);
   // A generation that takes long, without and with news.
   log.now = 120;
   log.line.Tick();
   CHECK(Count(log.out.str(), '\n') == 3);
   log.now = 181;
-  log.line.Show(progress);
+  log.line.Report(progress);
   CHECK(Count(log.out.str(), '\n') == 4);
   // The end, once.
   progress.evaluations = progress.total;
   log.now = 182;
-  log.line.Show(progress);
+  log.line.Report(progress);
   log.line.Finish();
   log.line.Finish();
   CHECK(Count(log.out.str(), '\n') == 5);
@@ -137,15 +137,15 @@ TEST_CASE("a log file gets a line a generation, and one a minute",
 TEST_CASE("a terminal gets one line, drawn again", "[progress]") {
   Watched screen(true);
   Progress progress = Half();
-  screen.line.Show(progress);
+  screen.line.Report(progress);
   screen.now = 0.1;
-  screen.line.Show(progress);
+  screen.line.Report(progress);
   CHECK(Count(screen.out.str(), '\r') == 1);
   screen.now = 0.3;
   screen.line.Tick();
   CHECK(Count(screen.out.str(), '\r') == 2);
   progress.evaluations = progress.total;
-  screen.line.Show(progress);
+  screen.line.Report(progress);
   screen.line.Finish();
   CHECK(Count(screen.out.str(), '\r') == 3);
   CHECK(Count(screen.out.str(), '\n') == 1);
@@ -155,9 +155,9 @@ TEST_CASE("a terminal's line never reaches its last column", "[progress]") {
   for (const int columns : {1, 20, 40, 80}) {
     CAPTURE(columns);
     Watched screen(true, columns);
-    screen.line.Show(Half());
+    screen.line.Report(Half());
     screen.now = 1;
-    screen.line.Show(Progress{});
+    screen.line.Report(Progress{});
     std::istringstream drawn(screen.out.str());
     std::string line;
     while (std::getline(drawn, line, '\r'))
@@ -167,10 +167,10 @@ TEST_CASE("a terminal's line never reaches its last column", "[progress]") {
 
 TEST_CASE("a shorter line wipes the longer one", "[progress]") {
   Watched screen(true);
-  screen.line.Show(Half());
+  screen.line.Report(Half());
   const std::size_t longer = screen.out.str().size();
   screen.now = 1;
-  screen.line.Show(Progress{});
+  screen.line.Report(Progress{});
   CHECK(screen.out.str().size() == 2 * longer);
 }
 
@@ -179,7 +179,7 @@ TEST_CASE("a run that goes on does not count what was done before",
   std::ostringstream out;
   cli::ProgressLine line(out, false, 10, 90);
   line.SetWorld([] { return 5.0; }, [] { return 80; });
-  line.Show(Half());
+  line.Report(Half());
   CHECK_THAT(out.str(), Catch::Contains("  2.0/s  0:50 left"));
 }
 

@@ -1,4 +1,20 @@
-#include "runtime/life/season_teller.h"
+// A season is two halves: what follows from genotype and scenario by thinking
+// (what is sensed, which rules are active, what develops, how that differs from
+// the season before), and what only the simulator knows. This is the first
+// half, and the only place of it: a life that is lived (Life) and one that is
+// planned and put together from answers (LifePlanner) both go through here, so
+// they cannot differ in it.
+//
+// One number comes from physics, the inclination that an IMU would read, and
+// only if AsksImu. It must be given then and only then; tests compare
+// both ways bit for bit.
+//
+// Seasons are developed in order and each exactly once (Next or Skip): with
+// plasticity "morphogenesis" the robot of birth and what it sensed then are
+// kept, and the change of a season is one against the last robot that there
+// was. A season costs one development.
+
+#include "runtime/life/season_developer.h"
 
 #include <fmt/format.h>
 
@@ -15,9 +31,9 @@ namespace plsc {
 namespace {
 
 /// "inclined=True (IMU 5.0 deg)", "inclined False -> True".
-std::string TellState(const SensedState& state,
-                      const std::optional<double>& inclination,
-                      std::string_view before) {
+std::string DescribeState(const SensedState& state,
+                          const std::optional<double>& inclination,
+                          std::string_view before) {
   const std::string value = before.empty()
                                 ? "=" + state.value
                                 : fmt::format(" {} -> {}", before, state.value);
@@ -30,18 +46,18 @@ std::string TellState(const SensedState& state,
 
 }  // namespace
 
-bool SeasonTeller::IsGrown() const {
+bool SeasonDeveloper::IsGrown() const {
   return scenario_.plasticity == Plasticity::kMorphogenesis && robot_;
 }
 
-bool SeasonTeller::AsksImu() const {
+bool SeasonDeveloper::AsksImu() const {
   if (IsInherited() || IsGrown()) return false;
   return std::any_of(
       genotype_.states.begin(), genotype_.states.end(),
       [&](const State& state) { return IsFelt(scenario_, season(), state); });
 }
 
-std::vector<SensedState> SeasonTeller::SenseNow(
+std::vector<SensedState> SeasonDeveloper::SenseNow(
     std::optional<double> inclination) const {
   if (IsGrown()) return sensed_;
   std::vector<SensedState> sensed;
@@ -63,15 +79,15 @@ std::vector<SensedState> SeasonTeller::SenseNow(
   return sensed;
 }
 
-SeasonResult SeasonTeller::Begin() const {
+SeasonResult SeasonDeveloper::Begin() const {
   SeasonResult result;
   result.season = season().name;
   result.profile = scenario_.profile;
   return result;
 }
 
-void SeasonTeller::TellChange(const Phenotype& robot,
-                              SeasonResult& result) const {
+void SeasonDeveloper::DescribeChange(const Phenotype& robot,
+                                     SeasonResult& result) const {
   result.change = !robot_                        ? Change::kBorn
                   : robot.body != robot_->body   ? Change::kBody
                   : robot.brain != robot_->brain ? Change::kBrain
@@ -84,41 +100,42 @@ void SeasonTeller::TellChange(const Phenotype& robot,
   for (std::size_t i = 0; i < result.sensed.size(); ++i) {
     const SensedState& now = result.sensed[i];
     if (!robot_)
-      parts.push_back(TellState(now, result.inclination, ""));
+      parts.push_back(DescribeState(now, result.inclination, ""));
     else if (now.value != sensed_[i].value)
-      parts.push_back(TellState(now, result.inclination, sensed_[i].value));
+      parts.push_back(DescribeState(now, result.inclination, sensed_[i].value));
   }
   result.change_reason = parts.empty()
                              ? (robot_ ? "senses as before" : "senses nothing")
                              : fmt::format("{}", fmt::join(parts, ", "));
 }
 
-Told SeasonTeller::Next(double begin, std::optional<double> inclination) {
+DevelopedSeason SeasonDeveloper::Next(double begin,
+                                      std::optional<double> inclination) {
   assert(!is_over() && inclination.has_value() == AsksImu());
-  Told told;
-  SeasonResult& result = told.result = Begin();
+  DevelopedSeason developed;
+  SeasonResult& result = developed.result = Begin();
   result.begin = begin;
   result.inclination = inclination;
   result.sensed = SenseNow(inclination);
-  told.robot =
+  developed.robot =
       IsGrown()
           ? robot_
           : Develop(genotype_, EnvironmentOf(result.sensed, genotype_.states));
-  if (told.robot) {
-    TellChange(*told.robot, result);
-    result.body = DescribeBody(told.robot->body);
-    result.brain = DescribeBrain(*told.robot);
-    robot_ = told.robot;
+  if (developed.robot) {
+    DescribeChange(*developed.robot, result);
+    result.body = DescribeBody(developed.robot->body);
+    result.brain = DescribeBrain(*developed.robot);
+    robot_ = developed.robot;
     sensed_ = result.sensed;
   } else {
     result.outcome = Outcome::kUndeveloped;
     result.reason = "the string would grow beyond 2^20 symbols";
   }
   ++next_;
-  return told;
+  return developed;
 }
 
-SeasonResult SeasonTeller::Skip() {
+SeasonResult SeasonDeveloper::Skip() {
   SeasonResult result = Begin();
   result.outcome = Outcome::kNotReached;
   ++next_;
@@ -137,8 +154,8 @@ Environment EnvironmentOf(const std::vector<SensedState>& sensed,
   return environment;
 }
 
-SeasonResult Complete(SeasonResult told, const Simulated& simulated) {
-  SeasonResult result = std::move(told);
+SeasonResult Complete(SeasonResult developed, const Simulated& simulated) {
+  SeasonResult result = std::move(developed);
   result.begin = simulated.begin;
   result.outcome = simulated.outcome;
   result.reason = simulated.reason;

@@ -1,10 +1,11 @@
-#include "runtime/life/season_teller.h"
+#include "runtime/life/season_developer.h"
 
 #include <catch2/catch.hpp>
 #include <string>
 #include <vector>
 
 #include "runtime/develop/develop.h"
+#include "runtime/life/simulated.h"
 #include "runtime/scenario/scenario_profile.h"
 #include "tests/runtime/develop/compile_text.h"
 
@@ -25,38 +26,38 @@ constexpr double kSlope = 0.087;
 
 }  // namespace
 
-TEST_CASE("A season is told from what is felt", "[season_teller]") {
+TEST_CASE("A season is developed from what is felt", "[season_developer]") {
   const Genotype genotype = test::Robot(kPlastic);
   const Scenario scenario = PaperScenario();
   const Senses nothing;
-  SeasonTeller teller(genotype, scenario, nothing);
-  REQUIRE(teller.AsksImu());
-  const Told flat = teller.Next(0, kLevel);
+  SeasonDeveloper seasons(genotype, scenario, nothing);
+  REQUIRE(seasons.AsksImu());
+  const DevelopedSeason flat = seasons.Next(0, kLevel);
   CHECK(flat.result.season == "flat");
   CHECK(flat.result.sensed ==
         std::vector<SensedState>{{"inclined", "False", SenseSource::kImu}});
   CHECK(flat.result.body.absolute_size == 3);
   CHECK(flat.result.change == Change::kBorn);
-  const Told tilted = teller.Next(50, kSlope);
+  const DevelopedSeason tilted = seasons.Next(50, kSlope);
   CHECK(tilted.result.begin == 50);
   CHECK(tilted.result.sensed[0].value == "True");
   CHECK(tilted.result.change == Change::kBody);
   CHECK(tilted.result.change_reason == "inclined False -> True (IMU 5.0 deg)");
   CHECK(tilted.robot == Develop(genotype, EnvironmentOf(tilted.result.sensed,
                                                         genotype.states)));
-  CHECK(teller.is_over());
+  CHECK(seasons.is_over());
 }
 
 TEST_CASE("Robots that develop at birth only keep body and brain",
-          "[season_teller]") {
+          "[season_developer]") {
   const Genotype genotype = test::Robot(kPlastic);
   Scenario scenario = PaperScenario();
   scenario.plasticity = Plasticity::kMorphogenesis;
   const Senses nothing;
-  SeasonTeller teller(genotype, scenario, nothing);
-  const Told flat = teller.Next(0, kLevel);
-  CHECK_FALSE(teller.AsksImu());
-  const Told tilted = teller.Next(0, std::nullopt);
+  SeasonDeveloper seasons(genotype, scenario, nothing);
+  const DevelopedSeason flat = seasons.Next(0, kLevel);
+  CHECK_FALSE(seasons.AsksImu());
+  const DevelopedSeason tilted = seasons.Next(0, std::nullopt);
   CHECK(tilted.robot == flat.robot);
   CHECK(tilted.result.change == Change::kNone);
   CHECK(tilted.result.change_reason == "developed at birth");
@@ -64,42 +65,42 @@ TEST_CASE("Robots that develop at birth only keep body and brain",
 }
 
 TEST_CASE("What is inherited goes before the senses of the first season",
-          "[season_teller]") {
+          "[season_developer]") {
   const Genotype genotype = test::Robot(kPlastic);
   const Scenario scenario = PaperScenario();
   const Senses inherited = {{"inclined", "True"}};
-  SeasonTeller teller(genotype, scenario, inherited);
-  CHECK_FALSE(teller.AsksImu());
-  const Told flat = teller.Next(0, std::nullopt);
+  SeasonDeveloper seasons(genotype, scenario, inherited);
+  CHECK_FALSE(seasons.AsksImu());
+  const DevelopedSeason flat = seasons.Next(0, std::nullopt);
   CHECK(flat.result.sensed ==
         std::vector<SensedState>{{"inclined", "True", SenseSource::kParent}});
   CHECK(flat.result.change_reason == "inclined=True (parent)");
   CHECK(flat.result.body.brick_count == 2);
   // Later it senses for itself.
-  REQUIRE(teller.AsksImu());
-  CHECK(teller.Next(0, kLevel).result.change == Change::kBody);
+  REQUIRE(seasons.AsksImu());
+  CHECK(seasons.Next(0, kLevel).result.change == Change::kBody);
 }
 
-TEST_CASE("Where nothing develops the outcome says so", "[season_teller]") {
+TEST_CASE("Where nothing develops the outcome says so", "[season_developer]") {
   const Genotype genotype = test::Robot(
       "iterations 12\nrule C -> { C add_front B }\n"
       "rule B -> { B add_front B add_left B add_right B }\n");
   const Scenario scenario = PaperScenario();
   const Senses nothing;
-  SeasonTeller teller(genotype, scenario, nothing);
-  const Told told = teller.Next(0, std::nullopt);
-  CHECK_FALSE(told.robot);
-  CHECK(told.result.outcome == Outcome::kUndeveloped);
-  CHECK(told.result.body.absolute_size == 0);
-  CHECK(teller.Skip().outcome == Outcome::kNotReached);
+  SeasonDeveloper seasons(genotype, scenario, nothing);
+  const DevelopedSeason developed = seasons.Next(0, std::nullopt);
+  CHECK_FALSE(developed.robot);
+  CHECK(developed.result.outcome == Outcome::kUndeveloped);
+  CHECK(developed.result.body.absolute_size == 0);
+  CHECK(seasons.Skip().outcome == Outcome::kNotReached);
 }
 
-TEST_CASE("Told and simulated make a result, and come apart again",
-          "[season_teller]") {
-  SeasonResult told;
-  told.season = "flat";
-  told.body.hinge_count = 2;
-  told.inclination = 0.25;
+TEST_CASE("Developed and simulated make a result, and come apart again",
+          "[season_developer]") {
+  SeasonResult developed;
+  developed.season = "flat";
+  developed.body.hinge_count = 2;
+  developed.inclination = 0.25;
   Simulated simulated;
   simulated.begin = 50;
   simulated.inclination = 0.25;
@@ -108,7 +109,7 @@ TEST_CASE("Told and simulated make a result, and come apart again",
   simulated.state_hash = 7;
   simulated.steps = 100;
   simulated.solver_warnings = 1;
-  const SeasonResult result = Complete(told, simulated);
+  const SeasonResult result = Complete(developed, simulated);
   CHECK(result.fitness == Approx(-0.002));
   CHECK(result.begin == 50);
   const Simulated again = SimulatedOf(result);
@@ -118,8 +119,8 @@ TEST_CASE("Told and simulated make a result, and come apart again",
   CHECK(again.solver_warnings == 1);
   simulated.outcome = Outcome::kUnstable;
   simulated.reason = "too fast";
-  CHECK_FALSE(Complete(told, simulated).fitness);
-  CHECK(Complete(told, simulated).reason == "too fast");
+  CHECK_FALSE(Complete(developed, simulated).fitness);
+  CHECK(Complete(developed, simulated).reason == "too fast");
 }
 
 }  // namespace plsc

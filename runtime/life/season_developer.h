@@ -1,6 +1,6 @@
 #pragma once
 
-// What can be told of a season without simulating it: what the robot senses,
+// What is known of a season without simulating it: what the robot senses,
 // what develops of it, and how that differs from the season before. Only
 // whether the ground feels inclined must be known.
 
@@ -9,23 +9,24 @@
 #include <string>
 
 #include "runtime/life/season_result.h"
+#include "runtime/life/simulated.h"
 
 namespace plsc {
 
-struct Told {
-  /// All but what the simulator tells (Simulated); the outcome is kUndeveloped
+struct DevelopedSeason {
+  /// All but what is Simulated; the outcome is kUndeveloped
   /// when there is no robot.
   SeasonResult result;
   std::optional<Phenotype> robot;
 };
 
-/// Tells a life season by season. What it is given must outlive it, and what
+/// Develops a life season by season. What it is given must outlive it, and what
 /// the robot senses must be known (CheckSenses). `inherited`, if not empty, has
 /// a value for every state and goes before what is sensed in the first season.
-class SeasonTeller {
+class SeasonDeveloper {
  public:
-  SeasonTeller(const Genotype& genotype, const Scenario& scenario,
-               const Senses& inherited)
+  SeasonDeveloper(const Genotype& genotype, const Scenario& scenario,
+                  const Senses& inherited)
       : genotype_(genotype), scenario_(scenario), inherited_(inherited) {}
 
   bool is_over() const { return next_ == scenario_.seasons.size(); }
@@ -34,10 +35,10 @@ class SeasonTeller {
   bool AsksImu() const;
   /// The next season: `begin` in s since birth, `inclination` in rad, given if
   /// AsksImu().
-  Told Next(double begin, std::optional<double> inclination);
+  DevelopedSeason Next(double begin, std::optional<double> inclination);
   /// A season that the life did not reach.
   SeasonResult Skip();
-  /// Of the season told last.
+  /// Of the season developed last.
   const std::optional<Phenotype>& robot() const { return robot_; }
 
  private:
@@ -46,7 +47,7 @@ class SeasonTeller {
   bool IsGrown() const;
   std::vector<SensedState> SenseNow(std::optional<double> inclination) const;
   SeasonResult Begin() const;
-  void TellChange(const Phenotype& robot, SeasonResult& result) const;
+  void DescribeChange(const Phenotype& robot, SeasonResult& result) const;
 
   const Genotype& genotype_;
   const Scenario& scenario_;
@@ -61,10 +62,10 @@ class SeasonTeller {
 Environment EnvironmentOf(const std::vector<SensedState>& sensed,
                           const std::vector<State>& states);
 
-/// A season told and simulated; `told` of a robot that developed.
-SeasonResult Complete(SeasonResult told, const Simulated& simulated);
+/// A season developed and simulated; `developed` of a robot that developed.
+SeasonResult Complete(SeasonResult developed, const Simulated& simulated);
 
-/// What the simulator told of it.
+/// What was simulated of it.
 Simulated SimulatedOf(const SeasonResult& result);
 
 }  // namespace plsc
