@@ -24,7 +24,8 @@ struct Failure {
       : text(std::move(why)), kind(of) {}
   Failure(const char* why) : Failure(std::string(why)) {}  // NOLINT
 
-  std::string text;  ///< "cannot write to 'run.sqlite': No space left on device"
+  std::string
+      text;  ///< "cannot write to 'run.sqlite': No space left on device"
   Kind kind;
 
   friend bool operator==(const Failure&, const Failure&) = default;

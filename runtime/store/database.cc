@@ -237,7 +237,8 @@ MaybeFailure Database::Open(const std::string& path, Mode mode) {
   is_immutable_ = false;
   real_path_ = mode == Mode::kMemory ? "" : RealPath(path);
   if (mode != Mode::kMemory) {
-    if (MaybeFailure failure = CheckFile(path, mode == Mode::kWrite)) return failure;
+    if (MaybeFailure failure = CheckFile(path, mode == Mode::kWrite))
+      return failure;
     const std::string shown = PrintablePath(path);
     const std::optional<FileId> file = FileIdOf(real_path_);
     if (!file || !ConnectedFiles().contains(*file))

@@ -28,7 +28,6 @@ void AppendTable(Database& database, const SchemaItem& table,
 }  // namespace
 
 Expected<std::string, Failure> DumpResults(const std::string& path) {
-  using Dump = Expected<std::string, Failure>;
   Database database;
   if (auto failure = database.Open(path, Database::Mode::kRead))
     return *failure;

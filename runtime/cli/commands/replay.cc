@@ -59,7 +59,6 @@ struct Stored {
 
 Expected<std::vector<Stored>, Failure> Load(RunStore& store,
                                             std::span<const int> ids) {
-  using Batch = Expected<std::vector<Stored>, Failure>;
   std::vector<Stored> batch;
   for (const int id : ids) {
     Expected<Individual, Failure> one = store.Find(id);

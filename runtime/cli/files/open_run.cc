@@ -30,7 +30,6 @@ Exit Complain(const Failure& failure, Io& io) {
 }
 
 Expected<int, Failure> IdOf(RunStore& store, const std::string& name) {
-  using Id = Expected<int, Failure>;
   if (name == "best") {
     const Expected<RunStatus, Failure> status = store.Status();
     if (!status) return status.error();
@@ -49,7 +48,6 @@ Expected<int, Failure> IdOf(RunStore& store, const std::string& name) {
 
 Expected<std::vector<int>, Failure> IdsOf(
     RunStore& store, const std::vector<std::string>& names) {
-  using Ids = Expected<std::vector<int>, Failure>;
   std::vector<int> ids;
   for (const std::string& name :
        names.empty() ? std::vector<std::string>{"best"} : names) {
