@@ -29,7 +29,7 @@ ARROWS = {
     "runtime/vary": "compiler grammar",
     "runtime/evolve": "runtime/vary runtime/life runtime/scenario runtime/develop runtime/workers runtime/text compiler grammar sim",
     "runtime/pictures": "runtime/recording runtime/compare runtime/develop runtime/text compiler grammar sim",
-    "runtime/exports": "runtime/recording runtime/life runtime/scenario runtime/text sim",
+    "runtime/exports": "runtime/recording runtime/life runtime/scenario runtime/text grammar sim",
     "runtime/store": "runtime/evolve runtime/vary runtime/life runtime/scenario runtime/develop runtime/text compiler grammar sim",
     "runtime/history": "runtime/pictures runtime/compare runtime/develop runtime/text compiler grammar sim",
     "runtime/study": "runtime/store runtime/evolve runtime/text grammar",
@@ -51,13 +51,27 @@ DOORS = {
     r"tao/pegtl": r"grammar/",
     r"ode/": r"sim/",
     r"yaml-cpp/": r"runtime/text/yaml_[a-z_]*\.(h|cc)",
-    r"CLI/": r"runtime/cli/arguments/[a-z_]*\.cc",
+    r"CLI/": r"runtime/cli/arguments/(options|arguments|description)\.cc",
     r"Random123/": r"runtime/vary/rng\.cc",
     r"sqlite3\.h": r"runtime/store/database\.cc",
     r"xxhash\.h": r"runtime/text/key\.cc",
-    r"Rmath\.h": r"runtime/report/wilcoxon\.cc",
+    r"(librsvg/|cairo\.h|glib)": r"runtime/cli/files/png\.cc",
     r"mpi\.h": r"runtime/workers/mpi_[a-z_]*\.cc",
+    r"charconv": r"grammar/number\.cc",
 }
+# What reads numbers with the language of the system, or not all of a text.
+NUMBER_READERS = re.compile(r"\b(strto(d|f|ld|l|ll|ul|ull)|sto(d|f|ld|i|l|ll|ul|ull)|sscanf)\(")
+# The rooms that build alone (preset core): as a page's module, too, which has
+# no threads, files, clocks or processes.
+CORE = """grammar compiler compiler/changes sim runtime/text runtime/authors
+runtime/develop runtime/scenario runtime/life runtime/compare runtime/recording
+runtime/advice runtime/vary runtime/pictures runtime/history
+runtime/lsp""".split()
+NOT_IN_CORE = re.compile(
+    r"(barrier|chrono|condition_variable|csignal|cstdio|ctime|filesystem|fstream|"
+    r"future|iostream|latch|mutex|random|semaphore|shared_mutex|stop_token|thread|"
+    r"(dirent|dlfcn|fcntl|poll|pthread|signal|spawn|stdio|time|unistd|mpi|sqlite3)"
+    r"\.h|(sys|CLI)/.*)$")
 # What is private to another concept: its source's second header.
 PRIVATE = {"sim/world_ode": "sim/world"}
 MOST_CONCEPTS = 40  # of a folder: what one can look over
@@ -95,6 +109,19 @@ def check_arrows(problems):
         above.add(folder)
 
 
+def check_core(problems):
+    """The core is closed, and is what the preset builds."""
+    for folder in CORE:
+        for name in sorted(allowed(folder) - set(CORE)):
+            problems.append(f"CORE: {folder} may include {name}, which is no part of it")
+    built = (ROOT / "runtime/CMakeLists.txt").read_text().partition("PLSC_CORE_ONLY")[0]
+    for folder in ARROWS:
+        room = re.fullmatch(r"runtime/(\w+)", folder)
+        if room and bool(re.search(rf"\b{room[1]}\b", re.sub("#.*", "", built))) != (
+                folder in CORE):
+            problems.append(f"CORE: {folder} and runtime/CMakeLists.txt disagree")
+
+
 def check_includes(problems):
     for source in SOURCES:
         name = source.relative_to(ROOT).as_posix()
@@ -103,7 +130,12 @@ def check_includes(problems):
             if not name.startswith("runtime/package/"):
                 problems.append(f"{name}: stands in no room of ARROWS")
             continue
-        for include in INCLUDE.findall(source.read_text()):
+        text = source.read_text()
+        if found := NUMBER_READERS.search(text):
+            problems.append(f"{name}: {found[0]}) belongs behind grammar/number.h")
+        for include in INCLUDE.findall(text):
+            if folder in CORE and NOT_IN_CORE.match(include):
+                problems.append(f"{name}: <{include}> is not in a core room")
             target = folder_of(include)
             if target is not None and target not in allowed(folder):
                 problems.append(f"{name}: {folder}/ must not include {include}")
@@ -172,16 +204,51 @@ def check_table(problems):
 def check_paths(problems):
     """Documents name files, folders and concepts that exist."""
     path = re.compile(r"(?<![\w/.-])(?:grammar|compiler|sim|runtime|tests)/[\w/.*-]+")
-    example = ("tests/a/", "tests/fuzz/corpus/TARGET")
+    example = ("a/b", "tests/a/b", "tests/fuzz/corpus/TARGET")
     for document in [ROOT / "README.md", *(ROOT / "docs").rglob("*.md"),
                      *(f / "README.md" for f in {s.parent for s in SOURCES})]:
         if not document.exists() or "node_modules" in document.parts:
             continue
-        for found in sorted(set(path.findall(document.read_text()))):
+        text = document.read_text()
+        for found in re.findall(r"`([a-z_/]+/[a-z_]+\.(?:h|cc))`", text):
+            bases = ("", "runtime")
+            if not found.startswith(example) and not any((ROOT / b / found).exists() for b in bases):
+                problems.append(f"{document.relative_to(ROOT)}: there is no {found}")
+        for found in sorted(set(path.findall(text))):
             name = found.rstrip("./-")
             if name.startswith(example) or any(ROOT.glob(name)) or any(ROOT.glob(name + ".*")):
                 continue
             problems.append(f"{document.relative_to(ROOT)}: there is no {name}")
+
+
+def check_commands(problems):
+    """A command joins at one place: nothing but the registry names commands of
+    several groups, neither their structs nor their words."""
+    arguments = ROOT / "runtime/cli/arguments"
+    groups = {}
+    for header in sorted(arguments.glob("*.h")):
+        for struct in re.findall(r"^struct (\w+Command) \{", header.read_text(), re.M):
+            groups[struct] = header.stem
+        source = header.with_suffix(".cc")
+        for word in re.findall(r'(?:\.Command\(|AddToStudy\(options, )\s*"(\w+)"',
+                               source.read_text() if source.exists() else ""):
+            groups[f'"{word}"'] = header.stem
+    if len(groups) < 2 * 30:
+        problems.append("check_commands: finds no commands in runtime/cli/arguments")
+    registry = (arguments / "registry.cc").read_text()
+    for struct in groups:
+        if not struct.startswith('"') and not re.search(rf"\b{struct}\b", registry):
+            problems.append(f"{struct}: is not registered in runtime/cli/arguments/registry.cc")
+    for source in SOURCES:
+        if source == arguments / "registry.cc":
+            continue
+        text = re.sub(r"//.*", "", source.read_text())
+        for kind, most in (("struct", 1), ("word", 2)):
+            named = sorted({groups[w] for w in re.findall(r'\w+Command\b|"\w+"', text)
+                            if w in groups and w.startswith('"') == (kind == "word")})
+            if len(named) > most:
+                problems.append(f"{source.relative_to(ROOT)}: names commands of {', '.join(named)}: "
+                                "the list of commands is registry.cc")
 
 
 def check_folders(problems):
@@ -240,10 +307,12 @@ def check_mirror(problems):
 def main():
     problems = []
     check_arrows(problems)
+    check_core(problems)
     check_includes(problems)
     check_concepts(problems)
     check_table(problems)
     check_paths(problems)
+    check_commands(problems)
     check_folders(problems)
     check_lists(problems)
     check_mirror(problems)

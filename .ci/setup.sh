@@ -6,10 +6,10 @@
 # of docs/testing-robots.md install these.
 PLSC_BUILD_PACKAGES="g++ cmake ninja-build pkg-config tao-pegtl-dev libfmt-dev \
 libeigen3-dev libode-dev libyaml-cpp-dev libcli11-dev nlohmann-json3-dev \
-librandom123-dev libsqlite3-dev libxxhash-dev r-mathlib"
+librandom123-dev libsqlite3-dev libxxhash-dev"
 # And what all of it and its tests need.
 PLSC_PACKAGES="$PLSC_BUILD_PACKAGES gzip catch2 libopenmpi-dev openmpi-bin \
-librsvg2-2 fonts-dejavu-core python3"
+librsvg2-dev libcairo2-dev librsvg2-2 fonts-dejavu-core python3"
 
 # Pages are bundled with npm, which a Node.js from elsewhere than Debian brings
 # itself.

@@ -140,6 +140,8 @@ class Mender {
 
   // Whether `next` is the best text so far.
   bool Keep(const MendedText& next) {
+    // As many errors as before are an improvement, too: one was mended and
+    // shows another that it had hidden.
     if (CountErrors(next.remaining) > CountErrors(best_.remaining))
       return false;
     best_ = next;

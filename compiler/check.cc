@@ -1,3 +1,12 @@
+// What is wrong although every name is found. Each check looks at what Resolve
+// could give a number to and passes over the rest, which was reported there.
+// Where an item failed to parse or an entry is wrong, nothing is called
+// missing: it may be just that.
+//
+// Warnings about clauses (CheckClauses) are only made of files without errors,
+// from truth tables (truth). A hostile clause can be expensive to tabulate, so
+// only clauses that could be constant are, and the tables have their own bound.
+
 #include "compiler/check.h"
 
 #include <fmt/format.h>
@@ -12,8 +21,8 @@
 #include "compiler/check_tests.h"
 #include "compiler/limits.h"
 #include "compiler/lower.h"
-#include "compiler/print.h"
 #include "compiler/truth.h"
+#include "grammar/number.h"
 #include "grammar/reporter.h"
 
 namespace plsc {
@@ -102,8 +111,7 @@ class EnvironmentChecker {
   }
 
   void CheckEntry(const ast::Entry& entry, const Term& resolved, Span* given) {
-    const State& state =
-        scope_.header.states[static_cast<std::size_t>(resolved.state)];
+    const State& state = scope_.header.StateOf(resolved.state);
     if (given->end != 0)
       reporter_
           .Report(Code::kWrongEnvironment, entry.span,
@@ -143,7 +151,7 @@ class EnvironmentChecker {
 std::string StateNames(const Clause& clause, const std::vector<State>& states) {
   std::vector<std::string> names;
   for (const Term& term : clause.terms) {
-    const std::string& name = states[static_cast<std::size_t>(term.state)].name;
+    const std::string& name = StateAt(states, term.state).name;
     if (std::find(names.begin(), names.end(), name) == names.end())
       names.push_back(name);
   }

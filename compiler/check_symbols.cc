@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "compiler/limits.h"
-#include "compiler/print.h"
+#include "grammar/number.h"
 
 namespace plsc {
 

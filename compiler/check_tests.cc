@@ -114,7 +114,7 @@ class TestChecker {
 
   void CheckKind(const ast::BodyNode& node, SymbolId id) {
     const bool is_module =
-        (*scope_.header.alphabet)[id].category == Category::kModule;
+        scope_.header.SymbolOf(id).category == Category::kModule;
     const std::string_view name = file_.Text(node.name);
     if (!is_module)
       reporter_
@@ -140,7 +140,7 @@ class TestChecker {
       reporter_
           .Report(Code::kImpossibleBody, node.face,
                   fmt::format("the {} of this module is given twice",
-                              FaceName(face)))
+                              NameIn(kFaceNames, face)))
           .WithOther(taken, "first given here");
     taken = node.face;
     if (parent.symbol == plasticoding::kT)
@@ -150,8 +150,9 @@ class TestChecker {
                           parent.symbol == plasticoding::kA2;
     if (is_joint && face != Face::kFront)
       reporter_
-          .Report(Code::kImpossibleBody, node.face,
-                  fmt::format("a joint has no {} face", FaceName(face)))
+          .Report(
+              Code::kImpossibleBody, node.face,
+              fmt::format("a joint has no {} face", NameIn(kFaceNames, face)))
           .WithLabel("modules are mounted at its front");
     if (face == Face::kBack && !is_joint && parent.symbol &&
         parent.symbol != plasticoding::kC && parent.symbol != plasticoding::kT)

@@ -1,3 +1,10 @@
+// The stages in their order, and what they may rely on. Each reports what it
+// can see and leaves out what an earlier one has reported; lowering begins only
+// if nobody found an error, in this section or before it, since half of a
+// genotype is none. Warnings about clauses are made of what can be lowered.
+// Comments that silence warnings come last, over the whole file, as they may
+// stand in another section than what they silence.
+
 #include "compiler/compile.h"
 
 #include <fmt/format.h>

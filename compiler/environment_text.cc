@@ -3,11 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 #include <map>
 #include <optional>
 
+#include "grammar/number.h"
 #include "grammar/reporter.h"
 
 namespace plsc {
@@ -56,20 +55,10 @@ Result<std::vector<Assignment>> Split(const Source& source) {
   return assignments;
 }
 
-std::optional<double> ParseNumber(std::string_view text) {
-  double value = 0;
-  const auto [end, error] =
-      std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size() ||
-      !std::isfinite(value))
-    return std::nullopt;
-  return value;
-}
-
 // A number is out of range; anything else is of another type.
 Diagnostic WrongValue(const Source& source, Span span, const State& state) {
   const bool is_number = state.type == StateType::kReal &&
-                         ParseNumber(At(source, span)).has_value();
+                         ParseNumber<double>(At(source, span)).has_value();
   return {is_number ? Code::kWrongEnvironment : Code::kValueType, span,
           fmt::format("expected {} for state '{}', found '{}'",
                       ExpectedValue(state), state.name, At(source, span))};
@@ -104,7 +93,7 @@ std::optional<double> ParseStateValue(std::string_view text,
       return static_cast<double>(found - state.values.begin());
     }
     case StateType::kReal: {
-      const std::optional<double> value = ParseNumber(text);
+      const std::optional<double> value = ParseNumber<double>(text);
       if (!value || *value < state.low || *value > state.high)
         return std::nullopt;
       return value;

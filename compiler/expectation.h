@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "compiler/genotype.h"
+#include "grammar/enum_names.h"
 
 namespace plsc {
 
@@ -27,8 +28,10 @@ struct ExpectedSymbol {
 /// something at its back: what is mounted when its other three are taken.
 enum class Face : std::uint8_t { kBack, kFront, kLeft, kRight };
 inline constexpr int kFaces = 4;
-/// "back", "front", "left", "right".
-std::string_view FaceName(Face face);
+inline constexpr EnumNames<Face, 4> kFaceNames{{{Face::kBack, "back"},
+                                                {Face::kFront, "front"},
+                                                {Face::kLeft, "left"},
+                                                {Face::kRight, "right"}}};
 
 /// A module of a test's expected body; a parent stands before its children.
 struct ExpectedModule {

@@ -5,6 +5,7 @@
 // Genotype, and Verify holds its invariants.
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -30,6 +31,10 @@ struct State {
 
   friend bool operator==(const State&, const State&) = default;
 };
+
+inline const State& StateAt(const std::vector<State>& states, StateId id) {
+  return states[static_cast<std::size_t>(id)];
+}
 
 /// What a robot senses: one value a state, indexed by StateId. A bool is 0 or
 /// 1, an enum the index into State::values, a real the number itself.
@@ -113,6 +118,9 @@ struct Genotype {
   /// Grouped by head in alphabet order; within a head in the order in which
   /// active productions are joined.
   std::vector<Rule> rules;
+
+  const State& StateOf(StateId id) const { return StateAt(states, id); }
+  const SymbolInfo& SymbolOf(SymbolId id) const { return (*alphabet)[id]; }
 
   /// Equal alphabets (by value) and equal everything else, bit for bit.
   friend bool operator==(const Genotype& a, const Genotype& b);

@@ -1,3 +1,9 @@
+// The canonical spelling of each kind of item, piece by piece from the bytes of
+// the file: numbers and names are copied as they were written, since "0.50" may
+// be how its writer counts. What can stand on a line of its own is an element,
+// with the bytes that it was made of, so that layout.cc knows which comments
+// belong before it.
+
 #include "compiler/item_text.h"
 
 #include <array>

@@ -101,6 +101,8 @@ class Writer {
                                       : part.span.begin;
       // What follows the version line is set apart anyway.
       part.is_blank_before = i > 1 && IsBlankBetween(last_end, begin);
+      // All that begin before its end are its own, before it or inside it; and
+      // one more behind it, if it is on the same line.
       while (HasComment(next, part.span.end)) ++next;
       last_end = part.span.end;
       const auto limit = i + 1 < parts.size()
@@ -159,6 +161,9 @@ class Writer {
     return static_cast<int>(AlphabetOf(part).Find(file_.Text(head)).value());
   }
 
+  // Rules, environments and tests are set apart from what is before them, and
+  // each rule and test from the next unless it is compact; elsewhere the
+  // writer's blank lines stay.
   bool WantsBlank(const Part& last, const Part& part) const {
     const int kind = RankInSection(part).first;
     const int last_kind = RankInSection(last).first;
@@ -247,6 +252,8 @@ class Writer {
     return false;
   }
 
+  // An element goes on the line of the one before it in compact rules only, and
+  // as long as no comment, paragraph, group or width asks for a new line.
   std::size_t WriteElements(const Part& part, const ItemText& item,
                             std::size_t next, bool has_inner) {
     const bool is_rule = part.item->kind == ast::ItemKind::kRule;
@@ -286,6 +293,7 @@ class Writer {
       const std::size_t before = next;
       next = WriteTrailing(next, element.span.end,
                            is_last ? close : item.elements[i + 1].span.begin);
+      // Behind a comment nothing can go on; it ends with its line.
       const bool may_go_on =
           is_compact_ && is_rule && next == before && !EndsGroup(part, i);
       if (!may_go_on) end_line();

@@ -1,3 +1,12 @@
+// From the tree to the IR. Nothing can be wrong here any more, so everything is
+// taken with value() and at(): an empty one is a mistake of ours and ends the
+// process rather than become a robot.
+//
+// Rules are sorted stably by head. Evolution and Print want the rules of a
+// symbol together; among them the order of the file is the order in which
+// active ones are joined, and must stay. MapSource asks for the same order
+// (RuleOrder), so that rule i of the map is rule i of the genotype.
+
 #include "compiler/lower.h"
 
 #include <algorithm>
@@ -48,9 +57,8 @@ std::vector<ExpectedSymbol> LowerExpectedString(const ast::File& file,
   for (Symbol& symbol : LowerSymbols(file, test.symbols, resolution)) {
     const auto at =
         test.symbols.first + static_cast<std::uint32_t>(expected.size());
-    const bool takes_any =
-        !file.symbols[at].has_parens &&
-        !(*scope.header.alphabet)[symbol.id].parameters.empty();
+    const bool takes_any = !file.symbols[at].has_parens &&
+                           !scope.header.SymbolOf(symbol.id).parameters.empty();
     expected.push_back({symbol, !takes_any});
   }
   return expected;

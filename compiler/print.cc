@@ -1,32 +1,25 @@
+// The canonical text, of which two properties matter. It is complete: every
+// value of the IR is written, so that compiling it gives an equal IR, bit for
+// bit (std::to_chars writes the shortest text that reads back to the same
+// double). And there is one: nothing depends on how the genotype came about.
+// Keys, stores, requests to workers and comparisons are all made of it, so any
+// change here, be it a blank, changes keys and the stores' texts.
+
 #include "compiler/print.h"
 
 #include <array>
-#include <cassert>
-#include <charconv>
 #include <cmath>
 #include <string_view>
 
 #include "compiler/item_text.h"
+#include "grammar/number.h"
 
 namespace plsc {
 
 namespace {
 
-void AppendNumber(double value, std::string* text) {
-  // Shortest forms have at most 24 characters ("-2.2250738585072014e-308").
-  std::array<char, 32> buffer;
-  const auto [end, error] =
-      std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
-  assert(error == std::errc());
-  text->append(buffer.data(), end);
-}
-
 void AppendInt(std::int64_t value, std::string* text) {
-  std::array<char, 24> buffer;
-  const auto [end, error] =
-      std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
-  assert(error == std::errc());
-  text->append(buffer.data(), end);
+  *text += std::to_string(value);
 }
 
 // Of an integer parameter: the shortest double may need an exponent (1e+15),
@@ -77,7 +70,7 @@ void AppendClause(const Clause& clause, const std::vector<State>& states,
     if (i > 0)
       *text += clause.connectives[i - 1] == Connective::kAnd ? " and " : " or ";
     const Term& term = clause.terms[i];
-    const State& state = states[static_cast<std::size_t>(term.state)];
+    const State& state = StateAt(states, term.state);
     *text += state.name;
     *text += ComparisonText(term.comparison);
     AppendValue(term.value, state, text);
@@ -119,7 +112,7 @@ void AppendHeader(const Genotype& genotype, std::string* text) {
   *text += "plsc 1\n\ngenotype " + genotype.name + "\n";
   *text += PrintAlphabet(*genotype.alphabet);
   for (const State& state : genotype.states) AppendSense(state, text);
-  *text += "axiom " + (*genotype.alphabet)[genotype.axiom].name + "\n";
+  *text += "axiom " + genotype.SymbolOf(genotype.axiom).name + "\n";
   AppendSetting("iterations", genotype.development.iterations, text);
   AppendSetting("max_modules", genotype.development.max_modules, text);
   *text += genotype.development.move_to_new ? "move_to_new True\n"
@@ -129,7 +122,7 @@ void AppendHeader(const Genotype& genotype, std::string* text) {
 }
 
 void AppendRule(const Rule& rule, const Genotype& genotype, std::string* text) {
-  *text += "\nrule " + (*genotype.alphabet)[rule.head].name + " -> ";
+  *text += "\nrule " + genotype.SymbolOf(rule.head).name + " -> ";
   if (!rule.clause.is_always()) {
     *text += "if ";
     AppendClause(rule.clause, genotype.states, text);
@@ -186,7 +179,7 @@ void AppendExpectedBody(const std::vector<ExpectedModule>& body,
     const auto indent = 2 * static_cast<std::size_t>(module.depth);
     text->append(indent, ' ');
     if (module.depth > 0) {
-      *text += FaceName(module.face);
+      *text += NameIn(kFaceNames, module.face);
       *text += ' ';
     }
     *text += alphabet[module.symbol].name;
@@ -302,7 +295,7 @@ std::string PrintBody(const std::vector<ExpectedModule>& body,
     const ExpectedModule& module = body[i];
     if (module.depth > 0) {
       text += ' ';
-      text += FaceName(module.face);
+      text += NameIn(kFaceNames, module.face);
       text += ' ';
     }
     text += alphabet[module.symbol].name;
@@ -317,12 +310,6 @@ std::string PrintEnvironment(const Environment& environment,
                              const std::vector<State>& states) {
   std::string text;
   AppendEntries(environment, states, false, &text);
-  return text;
-}
-
-std::string PrintNumber(double value) {
-  std::string text;
-  AppendNumber(value, &text);
   return text;
 }
 

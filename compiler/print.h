@@ -26,7 +26,5 @@ std::string PrintAlphabet(const Alphabet& alphabet);
 /// `inclined=True,hot=False`: the form of `--env`.
 std::string PrintEnvironment(const Environment& environment,
                              const std::vector<State>& states);
-/// Shortest text that reads back to the same double; `-0` is kept.
-std::string PrintNumber(double value);
 
 }  // namespace plsc

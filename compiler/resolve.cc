@@ -19,7 +19,7 @@
 
 #include "compiler/foreign_names.h"
 #include "compiler/limits.h"
-#include "compiler/print.h"
+#include "grammar/number.h"
 #include "grammar/number_error.h"
 #include "grammar/reporter.h"
 #include "grammar/suggest.h"
@@ -113,13 +113,9 @@ class Resolver {
   }
 
   std::optional<Face> ResolveFace(Span name) {
-    std::vector<std::string_view> names;
-    for (int i = 0; i < kFaces; ++i) {
-      const auto face = static_cast<Face>(i);
-      if (FaceName(face) == file_.Text(name)) return face;
-      names.push_back(FaceName(face));
-    }
+    if (const auto face = ValueIn(kFaceNames, file_.Text(name))) return face;
     if (reporter_.is_full()) return std::nullopt;
+    const std::vector<std::string_view> names = AllNames(kFaceNames);
     SuggestAmong(
         names,
         &reporter_
@@ -132,9 +128,7 @@ class Resolver {
   static constexpr auto kEqual = ast::Comparison::kEqual;
   static constexpr auto kNotEqual = ast::Comparison::kNotEqual;
 
-  const State& StateOf(StateId id) const {
-    return scope_.header.states[static_cast<std::size_t>(id)];
-  }
+  const State& StateOf(StateId id) const { return scope_.header.StateOf(id); }
   bool IsOrdered(StateId id) const {
     return StateOf(id).type == StateType::kReal;
   }

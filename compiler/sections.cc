@@ -1,3 +1,10 @@
+// A file of several genotypes becomes as many trees, each with a copy of what
+// stands before the first, so that no later stage knows of sections. The trees
+// share the source text: spans mean the same bytes in all of them, and a
+// diagnostic about what is shared is found once a genotype and told once
+// (SortAndDropRepeated). Copies are the price, which is why CompileEach bounds
+// what may be shared.
+
 #include "compiler/sections.h"
 
 #include <cassert>

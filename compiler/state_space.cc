@@ -23,7 +23,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "compiler/print.h"
+#include "grammar/number.h"
 
 namespace plsc {
 
@@ -52,7 +52,8 @@ Cut CutOf(const Term& term) {
   return {term.value, true, true};
 }
 
-// The cuts within the state's range, one a threshold, in order.
+// The cuts within the state's range, one a threshold, in order. Thresholds
+// outside of it tell nothing apart that can be sensed.
 std::vector<Cut> CutsOf(const State& state, std::vector<Cut> cuts) {
   std::erase_if(cuts, [&](const Cut& cut) {
     return cut.at < state.low || cut.at > state.high;
@@ -111,6 +112,7 @@ std::vector<ValueClass> RealClasses(const State& state,
 std::vector<ValueClass> NamedClasses(std::size_t count,
                                      const std::vector<Cut>& cuts) {
   std::vector<bool> is_named(count);
+  // A term of such a state compares with the number of a value.
   for (const Cut& cut : cuts) is_named[static_cast<std::size_t>(cut.at)] = true;
   std::vector<ValueClass> classes;
   std::optional<std::size_t> rest;
@@ -135,13 +137,6 @@ std::vector<ValueClass> ClassesOf(const State& state, std::vector<Cut> cuts) {
   const std::size_t count =
       state.type == StateType::kBool ? 2 : state.values.size();
   return NamedClasses(count, cuts);
-}
-
-std::vector<const Clause*> ClausesOf(const Genotype& genotype) {
-  std::vector<const Clause*> clauses;
-  clauses.reserve(genotype.rules.size());
-  for (const Rule& rule : genotype.rules) clauses.push_back(&rule.clause);
-  return clauses;
 }
 
 std::string NameOf(int value, const State& state) {
@@ -181,6 +176,21 @@ std::string ClassLabel(const ValueClass& values, const State& state) {
                      PrintNumber(values.high));
 }
 
+std::vector<const Clause*> ClausesOf(const Genotype& genotype) {
+  std::vector<const Clause*> clauses;
+  clauses.reserve(genotype.rules.size());
+  for (const Rule& rule : genotype.rules) clauses.push_back(&rule.clause);
+  return clauses;
+}
+
+std::vector<const Clause*> ClausesOf(const Genotype& one,
+                                     const Genotype& other) {
+  std::vector<const Clause*> clauses = ClausesOf(one);
+  const std::vector<const Clause*> more = ClausesOf(other);
+  clauses.insert(clauses.end(), more.begin(), more.end());
+  return clauses;
+}
+
 StateSpace::StateSpace(const Genotype& genotype)
     : StateSpace(ClausesOf(genotype), genotype.states) {}
 
@@ -199,9 +209,9 @@ StateSpace::StateSpace(std::span<const Clause* const> clauses,
     for (const Clause* clause : clauses)
       for (const Term& term : clause->terms)
         if (term.state == id) cuts.push_back(CutOf(term));
-    classes_.push_back(
-        ClassesOf(states[static_cast<std::size_t>(id)], std::move(cuts)));
+    classes_.push_back(ClassesOf(StateAt(states, id), std::move(cuts)));
     size *= classes_.back().size();
+    // Without a size there are no strides either, and nobody may ask for one.
     if (size > kMaxCombinations) return;
   }
   strides_.resize(ids_.size());
@@ -213,6 +223,7 @@ StateSpace::StateSpace(std::span<const Clause* const> clauses,
   size_ = static_cast<int>(size);
 }
 
+// The digits of `index` are the classes, the lowest that of the last state.
 std::vector<double> StateSpace::At(int index) const {
   std::vector<double> values = first_;
   for (std::size_t i = 0; i < ids_.size(); ++i)
@@ -226,8 +237,7 @@ std::string StateSpace::Describe(int index,
   std::string text;
   for (std::size_t i = 0; i < ids_.size(); ++i) {
     const std::string part =
-        DescribeClass(classes_[i][ClassAt(index, i)],
-                      states[static_cast<std::size_t>(ids_[i])]);
+        DescribeClass(classes_[i][ClassAt(index, i)], StateAt(states, ids_[i]));
     if (part.empty()) continue;
     if (!text.empty()) text += " and ";
     text += part;

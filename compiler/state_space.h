@@ -30,6 +30,12 @@ std::string DescribeClass(const ValueClass& values, const State& state);
 /// Only the values: `True`, `dry|wet`, `5..<30.5`.
 std::string ClassLabel(const ValueClass& values, const State& state);
 
+/// Of the rules, in their order.
+std::vector<const Clause*> ClausesOf(const Genotype& genotype);
+/// Of the rules of two genotypes that have the same states.
+std::vector<const Clause*> ClausesOf(const Genotype& one,
+                                     const Genotype& other);
+
 class StateSpace {
  public:
   StateSpace(std::span<const Clause* const> clauses,

@@ -98,7 +98,7 @@ std::optional<TruthCount> CountWord(const Clause& clause,
   std::uint64_t group = ~std::uint64_t{0};
   for (std::size_t i = 0; i < clause.terms.size(); ++i) {
     const Term& term = clause.terms[i];
-    if (states[static_cast<std::size_t>(term.state)].type != StateType::kBool)
+    if (StateAt(states, term.state).type != StateType::kBool)
       return std::nullopt;
     std::size_t place = 0;
     while (place < count && known[place] != term.state) ++place;
@@ -192,6 +192,7 @@ TruthTable& TruthTable::operator|=(const TruthTable& other) {
   return *this;
 }
 
+// The same pass as in ClauseHolds, on all environments at once.
 TruthTable Tabulate(const Clause& clause, const StateSpace& space) {
   if (clause.terms.empty()) return {*space.size(), true};
   TruthTable all(*space.size(), false);

@@ -51,6 +51,7 @@ void VerifyName(const std::string& name, const char* what, Findings* found) {
   });
 }
 
+// A parameter without a range has infinite bounds, both.
 void VerifyParameter(const Parameter& parameter, Findings* found) {
   VerifyName(parameter.name, "parameter", found);
   const bool has_low = std::isfinite(parameter.low);
@@ -188,6 +189,8 @@ void VerifySymbol(const Symbol& symbol, const Alphabet& alphabet,
   const std::vector<Parameter>& parameters = alphabet[symbol.id].parameters;
   for (std::size_t i = 0; i < symbol.arguments.size(); ++i) {
     const double value = symbol.arguments[i];
+    // Behind a symbol's parameters there is nothing, in one way: symbols are
+    // compared and hashed with all their places.
     bool is_right = value == 0 && !std::signbit(value);
     if (i < parameters.size()) {
       const Parameter& p = parameters[i];
@@ -219,6 +222,7 @@ void VerifyRule(const Rule& rule, const Genotype& genotype, Findings* found) {
   const auto is_known = [&](SymbolId id) {
     return static_cast<std::size_t>(id) < alphabet.symbols().size();
   };
+  // All that follows looks the head up.
   if (!is_known(rule.head)) {
     found->Expect(false, [] { return "a rule has an unknown head"; });
     return;
@@ -248,6 +252,7 @@ void VerifyRules(const Genotype& genotype, Findings* found) {
   found->Expect(genotype.rules.size() <= kMaxRuleCount, [&] {
     return fmt::format("there are {} rules", genotype.rules.size());
   });
+  // Regulation, printing and crossover take the rules of a symbol as a run.
   const auto by_head = [](const Rule& a, const Rule& b) {
     return a.head < b.head;
   };
@@ -326,6 +331,8 @@ void VerifyEnvironments(const Program& program, Findings* found) {
   }
 }
 
+// Whether depths are those of a walk through one tree, the core its root: a
+// module is at most one deeper than the one before it.
 bool IsExpectedBody(const std::vector<ExpectedModule>& body,
                     const Alphabet& alphabet) {
   int last_depth = -1;
@@ -347,6 +354,7 @@ void VerifyTest(const InlineTest& test, const Program& program,
   const auto named = std::find_if(
       program.environments.begin(), program.environments.end(),
       [&](const NamedEnvironment& e) { return e.name == test.place; });
+  // A test has its environment by name and by value, which must not part.
   const bool is_placed = named != program.environments.end()
                              ? named->environment == test.environment
                              : test.place.empty() && genotype.states.empty();

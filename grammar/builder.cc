@@ -1,11 +1,18 @@
+// Parts of an item are put into the pools of the file while it is matched, and
+// the item itself is added when it is complete: of one that fails unused
+// elements stay in the pools, which nobody refers to. Numbers are read here and
+// held to a double's range; a number of the right kind takes the place of one
+// that does not fit, so that later stages say nothing more about it.
+
 #include "grammar/builder.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <string>
 #include <utility>
+
+#include "grammar/number.h"
 
 namespace plsc::grammar {
 
@@ -58,9 +65,9 @@ void Builder::TakeNumber(Span span) {
   value.is_integer = std::none_of(text.begin(), text.end(), [](char c) {
     return c == '.' || c == 'e' || c == 'E';
   });
-  const auto [end, error] =
-      std::from_chars(text.data(), text.data() + text.size(), value.number);
-  const bool fits = error == std::errc();
+  const LeadingNumber<double> read = ReadNumber<double>(text);
+  value.number = read.value;
+  const bool fits = read.kind == LeadingNumber<double>::Kind::kFits;
   if (fits && (value.number != 0 || IsWrittenZero(text))) return;
   // What follows needs some number in its place.
   value.number = 1;

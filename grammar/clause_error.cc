@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "grammar/lookaround.h"
+#include "grammar/utf8.h"
 
 namespace plsc {
 
@@ -14,10 +15,11 @@ namespace {
 
 // Characters from the start of the line, as users count columns.
 int ColumnOf(std::string_view text, std::uint32_t offset) {
-  int column = 1;
-  for (std::size_t i = offset; i > 0 && text[i - 1] != '\n'; --i)
-    if ((static_cast<unsigned char>(text[i - 1]) & 0xC0U) != 0x80U) ++column;
-  return column;
+  const std::string_view before = text.substr(0, offset);
+  // Without a line break npos + 1 is 0.
+  return static_cast<int>(
+             CountCharacters(before.substr(before.rfind('\n') + 1))) +
+         1;
 }
 
 // The rest of the clause on the same line may have more of it; telling all at

@@ -1,3 +1,10 @@
+// One structure rendered for people. Whatever is quoted from a text is bounded
+// in length and made printable, since names may be megabytes and bytes may be
+// escape sequences; of a long line only the part around the place is looked at,
+// so that a thousand reports in one line cost a thousand parts. Diagnostics are
+// sorted by place, stably: of those at one place the stage that ran first comes
+// first.
+
 #include "grammar/diagnostic.h"
 
 #include <fmt/format.h>
@@ -6,6 +13,7 @@
 #include <utility>
 
 #include "grammar/shown_line.h"
+#include "grammar/utf8.h"
 
 namespace plsc {
 
@@ -60,8 +68,7 @@ LinePart PartOf(std::string_view line, std::uint32_t line_begin,
                 std::uint32_t at) {
   if (line.size() <= 2 * kMaxLooked) return {line, line_begin};
   const auto is_inside = [&](std::size_t i) {
-    return i < line.size() &&
-           (static_cast<unsigned char>(line[i]) & 0xC0U) == 0x80U;
+    return i < line.size() && GoesOn(line[i]);
   };
   const std::size_t middle =
       std::min<std::size_t>(at - line_begin, line.size());

@@ -1,3 +1,10 @@
+// Habits of other languages, tried one after the other, the surest first: a
+// character that only looks right explains any error, a comment mark of another
+// language nearly any, arithmetic few. The first that knows what it sees adds
+// to the message; it never decides whether there is an error. All lookalikes of
+// an item are mended at once, because an item reports one error and few texts
+// have only one of them.
+
 #include "grammar/foreign_syntax.h"
 
 #include <fmt/format.h>

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <iterator>
 
+#include "grammar/utf8.h"
+
 namespace plsc {
 
 namespace {
@@ -93,25 +95,6 @@ constexpr Row kRows[] = {
 constexpr char32_t kFirstFullwidth = 0xFF01;
 constexpr char32_t kLastFullwidth = 0xFF5E;
 
-struct Decoded {
-  char32_t code = 0;
-  std::size_t bytes = 1;
-};
-
-// Texts have been screened: they are UTF-8.
-Decoded Decode(std::string_view text) {
-  const auto lead = static_cast<unsigned char>(text[0]);
-  const std::size_t bytes = lead < 0xC0   ? 1
-                            : lead < 0xE0 ? 2
-                            : lead < 0xF0 ? 3
-                                          : 4;
-  if (bytes == 1 || text.size() < bytes) return {lead, 1};
-  char32_t code = lead & (0x7Fu >> bytes);
-  for (std::size_t i = 1; i < bytes; ++i)
-    code = (code << 6) | (static_cast<unsigned char>(text[i]) & 0x3Fu);
-  return {code, bytes};
-}
-
 std::string Code(char32_t code) {
   return fmt::format("U+{:04X}", static_cast<std::uint32_t>(code));
 }
@@ -121,7 +104,7 @@ std::string Code(char32_t code) {
 std::optional<Lookalike> LookalikeAt(std::string_view text) {
   if (text.empty() || static_cast<unsigned char>(text[0]) < 0x80)
     return std::nullopt;
-  const Decoded found = Decode(text);
+  const Character found = DecodeCharacter(text, 0);
   const Row* row = std::upper_bound(
       std::begin(kRows), std::end(kRows), found.code,
       [](char32_t code, const Row& one) { return code <= one.last; });
@@ -134,7 +117,7 @@ std::optional<Lookalike> LookalikeAt(std::string_view text) {
 }
 
 std::string CodePointText(std::string_view text) {
-  return Code(Decode(text).code);
+  return Code(DecodeCharacter(text, 0).code);
 }
 
 }  // namespace plsc

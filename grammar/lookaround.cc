@@ -8,6 +8,7 @@
 
 #include "grammar/keywords.h"
 #include "grammar/lookalike.h"
+#include "grammar/utf8.h"
 
 namespace plsc {
 
@@ -32,14 +33,6 @@ constexpr std::array<Foreign, 20> kForeign = {{
 
 bool IsOperator(char c) {
   return kOperatorCharacters.find(c) != std::string_view::npos;
-}
-
-std::size_t CharacterLength(std::string_view text, std::size_t begin) {
-  std::size_t end = begin + 1;
-  while (end < text.size() &&
-         (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U)
-    ++end;
-  return end - begin;
 }
 
 Found Make(std::string_view text, std::size_t begin, std::size_t end) {

@@ -1,3 +1,9 @@
+// What the whole number was meant to be: around the place where the parser
+// stopped everything is taken that letters, digits, points and an exponent's
+// sign join, since a message about "0x1F" helps and one about "x1F" does not.
+// Each function knows one mistake; a fix is offered only where one correction
+// is the only sensible one.
+
 #include "grammar/number_error.h"
 
 #include <fmt/format.h>

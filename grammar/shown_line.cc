@@ -1,3 +1,9 @@
+// Every byte of a user's text may reach a terminal, and some would drive it
+// (escape sequences, a carriage return that hides what stands before, marks
+// that turn the direction of writing). So what is no printable character is
+// shown by its number, and columns are counted as shown, by character: the mark
+// of a message must stand below what it means.
+
 #include "grammar/shown_line.h"
 
 #include <fmt/format.h>
@@ -5,35 +11,13 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "grammar/utf8.h"
+
 namespace plsc {
 
 namespace {
 
 constexpr std::size_t kTabWidth = 4;  // columns
-
-struct Character {
-  std::size_t bytes = 1;
-  char32_t code = 0;
-  bool is_valid = false;
-};
-
-// The UTF-8 character that begins at `i`; one invalid byte where none does.
-Character Decode(std::string_view line, std::size_t i) {
-  const auto lead = static_cast<unsigned char>(line[i]);
-  if (lead < 0x80) return {1, lead, true};
-  const std::size_t bytes = (lead & 0xE0) == 0xC0   ? 2
-                            : (lead & 0xF0) == 0xE0 ? 3
-                            : (lead & 0xF8) == 0xF0 ? 4
-                                                    : 0;
-  if (bytes == 0 || i + bytes > line.size()) return {};
-  char32_t code = lead & (0x7Fu >> bytes);
-  for (std::size_t k = 1; k < bytes; ++k) {
-    const auto next = static_cast<unsigned char>(line[i + k]);
-    if ((next & 0xC0) != 0x80) return {};
-    code = (code << 6) | (next & 0x3Fu);
-  }
-  return {bytes, code, true};
-}
 
 bool IsPrintable(const Character& character) {
   const char32_t code = character.code;
@@ -63,7 +47,7 @@ ShownLine ShownLineOf(std::string_view line) {
   ShownLine shown;
   for (std::size_t i = 0; i < line.size();) {
     const std::size_t column = shown.columns.size();
-    const Character character = Decode(line, i);
+    const Character character = DecodeCharacter(line, i);
     if (line[i] == '\t')
       shown.columns.resize(column + kTabWidth - column % kTabWidth, " ");
     else if (IsPrintable(character))
@@ -81,7 +65,7 @@ ShownLine ShownLineOf(std::string_view line) {
 std::string Escaped(std::string_view text) {
   std::string escaped;
   for (std::size_t i = 0; i < text.size();) {
-    const Character character = Decode(text, i);
+    const Character character = DecodeCharacter(text, i);
     const auto byte = static_cast<unsigned char>(text[i]);
     if (IsPrintable(character))
       escaped += text.substr(i, character.bytes);

@@ -1,3 +1,9 @@
+// Lines by a table of their beginnings and a binary search; columns are counted
+// in characters, in the line, only when somebody asks. A file may be one line
+// of 16 MB with hundreds of reports in it, each of which would count from the
+// line's beginning: so characters are also counted once a block of 64 KB, and a
+// question counts within a block.
+
 #include "grammar/source.h"
 
 #include <algorithm>
@@ -5,22 +11,14 @@
 #include <string>
 #include <utility>
 
+#include "grammar/utf8.h"
+
 namespace plsc {
 
 namespace {
 
-// Bytes 10xxxxxx continue a UTF-8 character.
-bool StartsCharacter(char c) {
-  return (static_cast<unsigned char>(c) & 0xC0) != 0x80;
-}
-
 // Most texts are shorter, and so cost no pass.
 constexpr std::size_t kBlock = 1U << 16U;
-
-std::size_t CountCharacters(std::string_view text) {
-  return static_cast<std::size_t>(
-      std::count_if(text.begin(), text.end(), StartsCharacter));
-}
 
 }  // namespace
 
@@ -76,7 +74,7 @@ std::optional<std::uint32_t> Source::OffsetOf(Position position) const {
   const std::string_view line = Line(position.line);
   int column = 0;
   for (std::size_t i = 0; i < line.size(); ++i)
-    if (StartsCharacter(line[i]) && ++column == position.column)
+    if (!GoesOn(line[i]) && ++column == position.column)
       return LineBegin(position.line) + static_cast<std::uint32_t>(i);
   if (column + 1 != position.column) return std::nullopt;
   return LineBegin(position.line) + static_cast<std::uint32_t>(line.size());

@@ -1,3 +1,14 @@
+// The known word nearest to what was written, by the number of edits
+// (Damerau-Levenshtein, two neighbouring letters that changed places being
+// one). A word that differs in case alone wins outright; else a third of its
+// letters may be wrong, two at most, because a suggestion that is not meant is
+// worse than none. Of equally near words the first in the given order is taken,
+// so that messages are the same each time.
+//
+// Length times length a pair, and a pair whose lengths differ too much is not
+// looked at. Callers search a thousand names at most, for each report that is
+// kept.
+
 #include "grammar/suggest.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,11 @@
+// A failure of the parser is the name of what was required (messages.h) and a
+// place. What people need is what they did instead, and that is guessed from
+// the text around the place: a table of functions, one a requirement, each
+// going from the particular to the general. What another language would write
+// there comes first (foreign_syntax, number_error, clause_error), then a
+// misspelling, and at last "expected X, found Y". Guesses only choose words and
+// fixes; whether there is an error has been decided.
+
 #include "grammar/syntax_error.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,15 @@
+// The grid of development becomes metres: module by module, parents before
+// children, each one's frame follows from its parent's slot and its own back
+// (SlotFrame; authors' program, pose.py:153), turned about its long axis by a
+// multiple of 90 degrees. Turns are matrices of 0, 1 and -1, so that a robot at
+// rest has exact coordinates and two developed alike are equal bit for bit.
+//
+// A joint begins a new link with what it moves (servo and plate); its frame
+// belongs to the link that it is mounted on. What no joint separates is one
+// rigid link: its mass, centre and inertia are summed over its boxes (parallel
+// axes), in the order of the modules, which last bits depend on. Linear in the
+// modules.
+
 #include "sim/assembly.h"
 
 #include <Eigen/Geometry>

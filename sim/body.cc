@@ -1,6 +1,7 @@
 #include "sim/body.h"
 
 #include <array>
+#include <cassert>
 
 namespace plsc {
 
@@ -16,8 +17,10 @@ Facing Opposite(Facing facing) {
 }
 
 std::string_view ModuleName(ModuleType type) {
-  constexpr std::array<std::string_view, 5> kNames{"C", "B", "A1", "A2", "T"};
-  return kNames[static_cast<std::size_t>(type)];
+  for (const auto& [one, name] : kModuleNames)
+    if (one == type) return name;
+  assert(false);
+  return "";
 }
 
 std::string ModuleId(const Body& body, int index) {

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace plsc {
@@ -70,7 +71,13 @@ struct Body {
   friend bool operator==(const Body&, const Body&) = default;
 };
 
-/// The paper's name of a module's symbol: "C", "B", "A1", "A2", "T".
+/// The paper's name of a module's symbol.
+inline constexpr std::array<std::pair<ModuleType, std::string_view>, 5>
+    kModuleNames{{{ModuleType::kCore, "C"},
+                  {ModuleType::kBrick, "B"},
+                  {ModuleType::kVerticalJoint, "A1"},
+                  {ModuleType::kHorizontalJoint, "A2"},
+                  {ModuleType::kTouchSensor, "T"}}};
 std::string_view ModuleName(ModuleType type);
 
 /// "1" the core, "2"...; a sensor: its parent's id, "s", the slot's digit.

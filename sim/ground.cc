@@ -1,3 +1,22 @@
+// Contact of boxes with the ground, by hand and not by ODE, which has no rough
+// ground without a mesh and gives up to four contacts a box, rows that the
+// solver pays for. A plane touches a convex body at corners only, so eight
+// points a box decide; rough ground may meet a side between two corners, so
+// long sides get points in between, and what is narrower than these is not
+// seen.
+//
+// Most boxes are in the air. A sphere about the link spares all of it, one
+// about a box its eight corners; on hills the sphere grows by what the ground
+// can rise across it (steepest). All of this only leaves out points that cannot
+// touch: a rule that dropped a touching corner would be another physics.
+//
+// Spanning keeps four points: the deepest, the one farthest from it, the one
+// that makes the largest triangle, and the one that lies farthest outside of
+// that. This is the greedy hull that physics engines use for persistent
+// contacts; a fifth point would hold a rigid link hardly better and costs three
+// rows more. Of equals the first is taken, in the order of the boxes, so that
+// the choice is a function of the numbers.
+
 #include "sim/ground.h"
 
 #include <Eigen/Geometry>

@@ -1,3 +1,9 @@
+// What the core alone would feel is found by physics and not from the ground's
+// slope: on rough ground and among boxes it depends on how the core comes to
+// rest. It falls and settles like a robot, in a world of its own, before the
+// season and without taking part in it. acos is of the core's upright axis;
+// rounding may take it beyond 1.
+
 #include "sim/imu.h"
 
 #include <Eigen/Geometry>

@@ -4,12 +4,12 @@
 
 #include <cmath>
 
-#include "sim/state_hash.h"
+#include "sim/fnv.h"
 
 namespace plsc {
 
 std::string MachineKind() {
-  StateHash hash;
+  Fnv hash;
   for (int i = 1; i <= 5000; ++i) {
     const double x = 0.37 * i;
     for (const double y : {std::sin(x), std::cos(x), std::atan2(x, 1.1),

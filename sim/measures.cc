@@ -1,3 +1,8 @@
+// The paper's behavioural descriptors from samples, under the names of
+// measures.py. Two of its defects are left out: its durations count sub-second
+// time in tenths (up to 1.8 % wrong), and its window of records subtracts the
+// newest where it means the oldest. Sums run over samples in order of time.
+
 #include "sim/measures.h"
 
 #include <cassert>

@@ -3,8 +3,10 @@
 // How a simulated life ended. Data, stored with every result: a world that
 // goes wrong is never an abort and never a silent zero.
 
+#include <array>
 #include <cstdint>
 #include <string_view>
+#include <utility>
 
 namespace plsc {
 
@@ -22,9 +24,19 @@ enum class Outcome : std::uint8_t {
   kStopped,       ///< by the user, in mid-life
 };
 
-/// "completed", "overlapping", "undeveloped", "unstable", "worker_died",
-/// "fell_through", "solver_failed", "out_of_steps", "too_large",
-/// "not_reached", "stopped": as results and JSON name it.
+/// As results and JSON name it.
+inline constexpr std::array<std::pair<Outcome, std::string_view>, 11>
+    kOutcomeNames{{{Outcome::kCompleted, "completed"},
+                   {Outcome::kOverlapping, "overlapping"},
+                   {Outcome::kUndeveloped, "undeveloped"},
+                   {Outcome::kUnstable, "unstable"},
+                   {Outcome::kWorkerDied, "worker_died"},
+                   {Outcome::kFellThrough, "fell_through"},
+                   {Outcome::kSolverFailed, "solver_failed"},
+                   {Outcome::kOutOfSteps, "out_of_steps"},
+                   {Outcome::kTooLarge, "too_large"},
+                   {Outcome::kNotReached, "not_reached"},
+                   {Outcome::kStopped, "stopped"}}};
 std::string_view OutcomeName(Outcome outcome);
 
 }  // namespace plsc

@@ -1,3 +1,10 @@
+// A robot is put down by measuring how far its lowest point is above the ground
+// and lowering it by that: the gap is taken along the vertical, in which it
+// shrinks exactly as the robot is lowered, on planes of any tilt and on hills.
+// On boxes the whole column under a part counts, so that a robot starts on top
+// of a step and never inside. The points are those that contacts are made of
+// (sim/ground): a robot that was placed by others would begin in the ground.
+
 #include "sim/placement.h"
 
 #include <Eigen/Geometry>

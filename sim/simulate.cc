@@ -1,3 +1,15 @@
+// One season: what forbids it is said first, then three clocks run side by side
+// in whole steps (sim/schedule): physics at every step, the controller when its
+// update is due, samples for measures. The controller acts before the step, on
+// the touches and angles that the last one left, so an update sees one state
+// and not half of the next.
+//
+// A life that is carried on begins in a new world with the old one's poses and
+// speeds, and with the controller's memory and time; that is all the state
+// there is but for the solver's order, which begins anew in each season.
+// Whoever watches sees the world between two steps and cannot change it: a
+// watched life is the same bit for bit.
+
 #include "sim/simulate.h"
 
 #include <fmt/format.h>

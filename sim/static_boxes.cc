@@ -1,3 +1,10 @@
+// Endless ground without a list: a box is a function of its ordinal (steps) or
+// its cell (obstacles), so that whoever looks at a place asks for the boxes
+// there, and each is the same each time. Obstacles stay inside of their cell,
+// so only the cells under the asked bounds can have one that reaches in. Places
+// may be anywhere, also where a robot explodes to, so counts are kept as
+// doubles until they are known to fit an int.
+
 #include "sim/static_boxes.h"
 
 #include <algorithm>

@@ -1,3 +1,14 @@
+// What touches what, and with how many points: each contact is three rows of
+// the problem that a step solves, so this decides what a step costs. Three
+// bounds keep it down. Spheres about links and boxes sort out what is far
+// apart. Of all corners of a link on the ground at most four are handed on, the
+// ones that span its support (sim/ground). Of two boxes ODE gives four.
+//
+// A module counts as touched by any of its contacts, before the choice of the
+// four: what sensors feel must not depend on which corners hold the link best.
+// Contacts live for one step, and are made link by link and pair by pair in a
+// fixed order, on which the solver's rounding depends.
+
 #include <Eigen/Geometry>
 #include <array>
 #include <cstddef>

@@ -1,3 +1,10 @@
+// Myers' greedy algorithm (1986) over lines: the edit graph is walked by
+// diagonals k = x - y, and for each number of differences d the furthest point
+// of each diagonal is kept. The first d that reaches the end is the shortest
+// script, read back from the rows that were kept. Memory is the square of the
+// differences, time at most the texts times the differences: equal ends go
+// first, and the search gives up at kMaxDifferences.
+
 #include "compiler/changes/line_edits.h"
 
 #include <algorithm>

@@ -1,3 +1,11 @@
+// One item in three versions. Text that is equal in two of them decides at
+// once; else the head and the body are merged apart, as different people edit
+// the clause and the production of one rule. A clause is merged as text if one
+// side only touched it, term by term otherwise; then its comments have no place
+// any more, so that with comments it is a clash. A clause that comes out with
+// "and" before its first term, or none before another, was edited in ways that
+// do not go together.
+
 #include "compiler/changes/merge_item.h"
 
 #include <fmt/format.h>
@@ -5,6 +13,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "compiler/changes/choose.h"
 #include "compiler/changes/merge_text.h"
 
 namespace plsc {
@@ -56,10 +65,8 @@ class ItemMerger {
     const std::string base = CoreText(base_);
     const std::string ours = CoreText(ours_);
     const std::string theirs = CoreText(theirs_);
-    if (ours == theirs || theirs == base) {
-      merged_.core = ours;
-    } else if (ours == base) {
-      merged_.core = theirs;
+    if (const std::string* chosen = Choose(base, ours, theirs)) {
+      merged_.core = *chosen;
     } else if (HasParts()) {
       MergeOpen();
       MergeBody();

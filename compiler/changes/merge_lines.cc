@@ -1,3 +1,9 @@
+// The classical three-way merge of lines: a line that both sides still have is
+// an anchor, and between two anchors each version has a piece. A piece that one
+// side left as it was, or that both have alike, is taken; others are a conflict
+// with all three versions. Only lines that both sides kept are anchors, so a
+// moved line is a deletion and an insertion, as in git.
+
 #include "compiler/changes/merge_lines.h"
 
 #include <fmt/format.h>
@@ -7,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "compiler/changes/choose.h"
 #include "compiler/changes/line_edits.h"
 
 namespace plsc {
@@ -80,10 +87,8 @@ class LineMerger {
     const Piece base = Take(base_, base_done_, base_until);
     const Piece ours = Take(ours_, ours_done_, ours_until);
     const Piece theirs = Take(theirs_, theirs_done_, theirs_until);
-    if (ours == theirs || theirs == base)
-      Add(ours);
-    else if (ours == base)
-      Add(theirs);
+    if (const Piece* chosen = Choose(base, ours, theirs))
+      Add(*chosen);
     else
       AddConflict(base, ours, theirs);
   }

@@ -1,9 +1,19 @@
+// The parts of an item, aligned and merged (sequence_merge), and parts that
+// both sides changed merged value by value: one may change a weight and the
+// other a period of the same joint. Costs are chosen so that a name that
+// changed is cheaper than a deletion and an insertion (10 of 24), and a value
+// cheaper than a name: a symbol that was edited is followed, where it stands.
+// If layout and content of a part changed on different sides, the text of the
+// side that changed the content is taken; a text made of both has no place for
+// comments and is then a clash.
+
 #include "compiler/changes/merge_parts.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
+#include "compiler/changes/choose.h"
 #include "compiler/changes/merge_text.h"
 #include "compiler/changes/written_rules.h"
 
@@ -25,8 +35,7 @@ const WrittenPart* PartAt(const std::vector<WrittenPart>& parts, int index) {
 std::optional<PartContent> MergeContents(const PartContent& base,
                                          const PartContent& ours,
                                          const PartContent& theirs) {
-  if (ours == theirs || theirs == base) return ours;
-  if (ours == base) return theirs;
+  if (const PartContent* chosen = Choose(base, ours, theirs)) return *chosen;
   const std::size_t size = base.values.size();
   if (ours.name != base.name || theirs.name != base.name ||
       ours.values.size() != size || theirs.values.size() != size)
@@ -103,9 +112,8 @@ EditCosts CostsOfParts(const std::vector<WrittenPart>& from,
 std::optional<std::string> MergeValue(const std::string& base,
                                       const std::string& ours,
                                       const std::string& theirs) {
-  if (ours == theirs || theirs == base) return ours;
-  if (ours == base) return theirs;
-  return std::nullopt;
+  const std::string* chosen = Choose(base, ours, theirs);
+  return chosen != nullptr ? std::optional(*chosen) : std::nullopt;
 }
 
 MergedParts MergeParts(const PartVersions& versions, PartIdentity identity) {

@@ -1,3 +1,18 @@
+// A merge from the top down: genotypes by name, items of a genotype by key
+// (merge_section), an item's parts as sequences (merge_item, sequence_merge).
+// At each level what only one side touched is taken from that side, with its
+// comments and layout, and only what both touched goes one level down. So most
+// of a merged file is bytes of one of the versions.
+//
+// What cannot be merged is written whole, item by item, between markers as git
+// knows them, since a person who chooses wants to read rules and not halves of
+// them. Nothing is dropped: what one side deleted and the other changed is such
+// a place, too, and of comments that both changed at the end of the file both
+// are kept.
+//
+// Whether the merged text compiles is the caller's to ask: both sides' items
+// may be right and together too many.
+
 #include "compiler/changes/merge_program.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,11 @@
+// Which items of three versions are the same one: those with names by name, the
+// rules of a head by likeness (merge_rules). Keys are gone through in sorted
+// order and the result is put into the versions' order afterwards
+// (merge_order), so that nothing depends on which version was looked at first.
+// Only rules are then set into their own order at the places where rules of
+// their head stand: it is the order in which they are joined, which merge_order
+// does not know.
+
 #include "compiler/changes/merge_section.h"
 
 #include <fmt/format.h>

@@ -1,8 +1,19 @@
+// A piece of text is what it says, its comments and its layout. What it says
+// and its comments may each be changed by one side; then the side that changed
+// what it says gives the text, provided that the other side's comments are not
+// lost with it. Layout alone never makes a conflict.
+//
+// Pieces of different files that are put together may run into each other: a
+// word into a word, a comment into what follows. TextJoiner keeps them apart
+// with a blank or a line's end, and only there, so that joining the pieces of
+// one file gives that file.
+
 #include "compiler/changes/merge_text.h"
 
 #include <algorithm>
 #include <cctype>
 
+#include "compiler/changes/choose.h"
 #include "compiler/changes/written_items.h"
 
 namespace plsc {
@@ -19,9 +30,9 @@ bool IsOfWord(char c) {
 std::optional<std::string> MergeText(const TextVersion& base,
                                      const TextVersion& ours,
                                      const TextVersion& theirs) {
-  if (ours.text == theirs.text || theirs.text == base.text)
-    return std::string(ours.text);
-  if (ours.text == base.text) return std::string(theirs.text);
+  if (const std::string_view* chosen =
+          Choose(base.text, ours.text, theirs.text))
+    return std::string(*chosen);
   const auto old_comments = CommentsIn(base.text);
   const auto our_comments = CommentsIn(ours.text);
   const auto their_comments = CommentsIn(theirs.text);

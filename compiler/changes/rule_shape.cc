@@ -1,3 +1,14 @@
+// Which rule is an edited one? The cost of taking rule j for rule i is by what
+// they have in common: symbols as multisets (an inserted symbol must not make
+// all behind it differ), half of it with arguments and half without. The order
+// of symbols does not count; two mutations of a rule leave most of the symbols,
+// two unrelated rules share some commands by chance.
+//
+// More than twice the cost of a deletion means "never": FindEdit then deletes
+// and inserts. So a rule with another clause and less than a quarter in common
+// is another rule, and a difference says so instead of telling of a rule in
+// which everything changed.
+
 #include "compiler/changes/rule_shape.h"
 
 #include <algorithm>

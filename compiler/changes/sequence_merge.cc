@@ -23,6 +23,8 @@
 #include <numeric>
 #include <utility>
 
+#include "compiler/changes/choose.h"
+
 namespace plsc {
 
 namespace {
@@ -84,6 +86,9 @@ class EditMerger {
     if (!ours.empty() && !theirs.empty()) {
       if (!IsSame(ours, theirs)) clash = ClashKind::kBothInserted;
     } else if (IsWithinDeleted(ours.empty() ? ours_ : theirs_, i)) {
+      // The side that inserted nothing deleted what is around it. Beside one
+      // deleted element there is a place for an insertion, between two there is
+      // none.
       clash = ClashKind::kInsertedIntoDeleted;
     }
     for (std::size_t n = 0; n < std::max(ours.size(), theirs.size()); ++n)
@@ -137,8 +142,8 @@ std::array<int, 3> ComesTo(const SequenceVersions& versions,
   const int base = ContentAt(versions.base, element.base);
   const int ours = ContentAt(versions.ours, element.ours);
   const int theirs = ContentAt(versions.theirs, element.theirs);
-  if (ours == theirs || theirs == base) return {ours, kNothing, kNothing};
-  if (ours == base) return {theirs, kNothing, kNothing};
+  if (const int* chosen = Choose(base, ours, theirs))
+    return {*chosen, kNothing, kNothing};
   return {base, ours, theirs};
 }
 
@@ -173,6 +178,7 @@ SequenceMerge MergeSequences(const SequenceVersions& versions,
       MergeEdits(versions, our_edits.front(), their_edits.front());
   // What both sides did alike was one thing, however it may be read.
   if (versions.ours == versions.theirs) return first;
+  // No other reading makes it one: a clash is shown as the first reads it.
   if (HasClash(first)) return first;
   const auto is_alike = [&](const MergedElement& a, const MergedElement& b) {
     return ComesTo(versions, a) == ComesTo(versions, b);

@@ -1,3 +1,10 @@
+// A file is cut so that writing the pieces one after the other gives the file
+// again, byte for byte: each byte between two cuts belongs to the blanks before
+// the next piece, but that a comment on the line of a piece goes with that
+// piece. A merge then chooses pieces and cannot lose a comment on the way.
+// Beside its bytes each piece has its content, spelled in one way, by which
+// versions are compared: layout is no difference.
+
 #include "compiler/changes/written_items.h"
 
 #include <fmt/format.h>
@@ -6,7 +13,7 @@
 #include <utility>
 
 #include "compiler/item_text.h"
-#include "compiler/print.h"
+#include "grammar/number.h"
 #include "grammar/parse.h"
 
 namespace plsc {

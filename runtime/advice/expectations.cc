@@ -1,3 +1,10 @@
+// What a file expects of itself, compared in the order in which it is written,
+// so that the first difference can point at its symbol or module. A body is a
+// tree whose faces may be written in any order; both trees are put into one
+// order of faces and compared as walks. Where two walks part first, the deeper
+// of the two modules, or the one on the earlier face, is the one that the other
+// does not have.
+
 #include "runtime/advice/expectations.h"
 
 #include <fmt/format.h>
@@ -10,6 +17,7 @@
 #include "compiler/print.h"
 #include "runtime/develop/derive.h"
 #include "runtime/develop/develop.h"
+#include "runtime/develop/part_names.h"
 
 namespace plsc {
 
@@ -99,19 +107,10 @@ class InlineTestRun {
                         test_.place.empty() ? "" : " in ", test_.place)};
   }
 
-  Symbol Written(const Occurrence& occurrence) const {
-    if (occurrence.rule == kNoRule) return {occurrence.symbol, {}};
-    return genotype_.rules[occurrence.rule].production[occurrence.position];
-  }
-
-  std::string Text(const Occurrence& occurrence) const {
-    return PrintSymbol(Written(occurrence), *genotype_.alphabet);
-  }
-
   bool IsExpected(const ExpectedSymbol& expected,
                   const Occurrence& found) const {
     if (!expected.has_arguments) return expected.symbol.id == found.symbol;
-    return expected.symbol == Written(found);
+    return expected.symbol == SymbolAt(genotype_, found);
   }
 
   std::optional<Diagnostic> CompareString(const SymbolString& found) const {
@@ -123,14 +122,14 @@ class InlineTestRun {
     Diagnostic diagnostic =
         Fail(at < expected.size() ? spans_.symbols[at] : spans_.close);
     if (at == expected.size())
-      diagnostic.label =
-          fmt::format("the string goes on with {}", Text(found[at]));
+      diagnostic.label = fmt::format("the string goes on with {}",
+                                     SymbolText(genotype_, found[at]));
     else if (at == found.size())
       diagnostic.label = fmt::format("the string ends before this, after {}",
                                      Count(found.size(), "symbol"));
     else
-      diagnostic.label =
-          fmt::format("symbol {} of the string is {}", at + 1, Text(found[at]));
+      diagnostic.label = fmt::format("symbol {} of the string is {}", at + 1,
+                                     SymbolText(genotype_, found[at]));
     diagnostic.notes.push_back("developed: " + Excerpt(found));
     return diagnostic;
   }
@@ -142,7 +141,7 @@ class InlineTestRun {
   std::string Excerpt(const SymbolString& string) const {
     std::string text;
     for (std::size_t i = 0; i < string.size() && i < kExcerptSymbols; ++i)
-      text += (i > 0 ? " " : "") + Text(string[i]);
+      text += (i > 0 ? " " : "") + SymbolText(genotype_, string[i]);
     if (string.size() > kExcerptSymbols)
       text += fmt::format(" ... ({} symbols)", string.size());
     return text;
@@ -177,7 +176,7 @@ class InlineTestRun {
                         const std::vector<ExpectedModule>& found,
                         std::size_t at) const {
     const auto name = [&](const ExpectedModule& module) {
-      return (*genotype_.alphabet)[module.symbol].name;
+      return genotype_.SymbolOf(module.symbol).name;
     };
     const bool is_same_place = at < expected.size() && at < found.size() &&
                                expected[at].module.depth == found[at].depth &&
@@ -191,7 +190,8 @@ class InlineTestRun {
       while (expected[parent].module.depth >= found[at].depth) --parent;
       return Fail(expected[parent].span)
           .WithLabel(fmt::format("has {} at its {}, which is not expected",
-                                 name(found[at]), FaceName(found[at].face)));
+                                 name(found[at]),
+                                 NameIn(kFaceNames, found[at].face)));
     }
     return Fail(expected[at].span).WithLabel("there is no such module");
   }

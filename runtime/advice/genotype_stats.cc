@@ -1,3 +1,8 @@
+// Counts over one development an environment, from its history: a symbol counts
+// as used if it was replaced (it called its rules) or if late development
+// expressed it, anywhere. Robots are compared with the first environment's by
+// the places of their modules (compare/body_difference).
+
 #include "runtime/advice/genotype_stats.h"
 
 #include <algorithm>

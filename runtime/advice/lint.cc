@@ -48,8 +48,8 @@ Diagnostic Growth(Code code, const MappedProgram& compiled,
   if (const auto multiplier = GreatestMultiplier(active))
     diagnostic.label = fmt::format(
         "each '{}' becomes {} symbols, {} of them '{}' again",
-        (*genotype.alphabet)[multiplier->symbol].name, multiplier->length,
-        multiplier->copies, (*genotype.alphabet)[multiplier->symbol].name);
+        genotype.SymbolOf(multiplier->symbol).name, multiplier->length,
+        multiplier->copies, genotype.SymbolOf(multiplier->symbol).name);
   diagnostic.help = fmt::format(
       "lower 'iterations' (now {}), or let rules bring back fewer replaceable "
       "symbols",
@@ -100,7 +100,7 @@ std::vector<Diagnostic> LintGenotype(const MappedProgram& compiled) {
   std::vector<Diagnostic> warnings =
       LintClauses(compiled.program, compiled.map);
   const StateSpace space(genotype);
-  const auto regimes = FindRegimes(genotype, space);
+  const auto regimes = FindRegimes(ClausesOf(genotype), space);
   if (!regimes) {
     warnings.push_back(TooManyEnvironments(compiled.map.version));
     return warnings;

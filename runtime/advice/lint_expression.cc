@@ -1,3 +1,21 @@
+// What does nothing anywhere can only be said of all environments, so the
+// genotype is developed once a regime, and each symbol of each rule collects
+// what it came to there: expressed in some, read in some, never read. A warning
+// is about what no regime expressed.
+//
+// Expressed has two senses. A symbol that is rewritten is a call and does its
+// work there; which symbols ever stand in a string that is rewritten is found
+// by following each symbol once (rewriting is free of context), not by looking
+// through strings. A symbol of the final string is expressed if its turtle did
+// something with it, which the trace says.
+//
+// Rules of C are read once a rewriting, from the core if the reading before did
+// not leave it (WatchReadings, by the lengths that growth gives); a symbol that
+// one reading expresses and a later one cannot is in its own way.
+//
+// The strings of all regimes together are bounded by kMaxLintedSymbols, counted
+// before they are derived.
+
 #include "runtime/advice/lint_expression.h"
 
 #include <fmt/format.h>
@@ -79,11 +97,10 @@ class Watcher {
       std::vector<SymbolId> next;
       for (const SymbolId symbol : front) {
         is_rewritten[static_cast<std::size_t>(symbol)] = true;
-        for (const Occurrence& made :
-             active.joined[static_cast<std::size_t>(symbol)]) {
+        for (const Occurrence& made : active.joined[symbol]) {
           const auto index = static_cast<std::size_t>(made.symbol);
           // In a string that is rewritten once more, this is a call.
-          if (i + 1 < iterations && !active.joined[index].empty())
+          if (i + 1 < iterations && !active.joined[made.symbol].empty())
             Express(made);
           if (is_seen[index]) continue;
           is_seen[index] = true;
@@ -120,7 +137,7 @@ class Watcher {
       if (symbol == plasticoding::kA1 || symbol == plasticoding::kA2) {
         missing.reset();
         if (effect != Effect::kMounted) missing = effect;
-      } else if ((*genotype_.alphabet)[symbol].category !=
+      } else if (genotype_.SymbolOf(symbol).category !=
                  Category::kControllerChanging) {
         missing.reset();
       } else if (missing && InfoOf(effect).is_expressed) {
@@ -207,7 +224,7 @@ void ReportSymbols(const Rule& rule, const RuleFate& fate,
     reporter
         ->Report(Code::kNotExpressed, spans.symbols[i],
                  fmt::format("this '{}' is expressed in no environment",
-                             (*genotype.alphabet)[rule.production[i].id].name))
+                             genotype.SymbolOf(rule.production[i].id).name))
         .WithLabel(std::string(InfoOf(symbol.last).text));
   }
 }
@@ -225,8 +242,7 @@ std::vector<Diagnostic> ReportAll(const MappedProgram& compiled,
     if (fates[i].is_used) {
       ReportSymbols(genotype.rules[i], fates[i], spans, genotype, &reporter);
     } else if (fates[i].is_active) {  // never active is W3002's to say
-      const std::string& head =
-          (*genotype.alphabet)[genotype.rules[i].head].name;
+      const std::string& head = genotype.SymbolOf(genotype.rules[i].head).name;
       reporter
           .Report(Code::kNotExpressed, spans.head,
                   fmt::format("this rule for '{}' rewrites nothing", head))

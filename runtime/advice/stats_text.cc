@@ -45,7 +45,7 @@ std::string RuleTitle(const Genotype& genotype, std::size_t rule) {
   const std::string clause =
       one.clause.is_always() ? "" : " if " + PrintClause(one.clause, genotype);
   return fmt::format("rule {}: {}{}", rule + 1,
-                     (*genotype.alphabet)[one.head].name, clause);
+                     genotype.SymbolOf(one.head).name, clause);
 }
 
 std::string UsageText(const RuleUsage& usage, std::size_t symbols,
@@ -141,7 +141,7 @@ Json EnvironmentJson(const EnvironmentStats& one) {
 Json RulesJson(const Genotype& genotype) {
   Json rules = Json::array();
   for (const Rule& rule : genotype.rules)
-    rules.push_back({{"symbol", (*genotype.alphabet)[rule.head].name},
+    rules.push_back({{"symbol", genotype.SymbolOf(rule.head).name},
                      {"clause", PrintClause(rule.clause, genotype)},
                      {"symbols", rule.production.size()}});
   return rules;

@@ -79,7 +79,9 @@ class Trimmer {
   }
 
  private:
-  // Whether the pieces are gone: no robot changes without them.
+  // Whether the pieces are gone: no robot changes without them. A piece may
+  // belong to several genotypes; then it goes from all of them or from none, so
+  // the targets are exchanged only when every one has agreed.
   bool Try(const std::vector<std::size_t>& out) {
     if (work_left_ == 0 || out.empty()) return false;
     std::vector<std::size_t> affected;
@@ -150,6 +152,8 @@ class Trimmer {
       if (Try(window)) {
         present.erase(present.begin() + static_cast<std::ptrdiff_t>(begin),
                       present.begin() + static_cast<std::ptrdiff_t>(end));
+        // Windows that reach over the gap have pieces together that were not
+        // neighbours before: they are tried again.
         end = std::min(begin + (size - step), present.size());
         if (begin == 0) end = 0;
       } else {
@@ -218,7 +222,8 @@ class Trimmer {
     return idle;
   }
 
-  // The pieces of the symbols of `current`, by rule.
+  // The pieces of the symbols of `current`, by rule: its rules and symbols are
+  // those that are kept, in the same order.
   std::vector<std::vector<std::size_t>> CurrentSymbols(std::size_t p) const {
     std::vector<std::vector<std::size_t>> symbols;
     for (const RulePieces& rule : pieces_.of[p]) {
@@ -237,7 +242,7 @@ class Trimmer {
     // A replaceable symbol may be a call; the first of C's rules is the core.
     for (std::size_t r = 0; r < genotype.rules.size(); ++r)
       for (std::size_t s = 0; s < pieces[r].size(); ++s)
-        if ((*genotype.alphabet)[genotype.rules[r].production[s].id]
+        if (genotype.SymbolOf(genotype.rules[r].production[s].id)
                 .is_replaceable)
           (*is_used)[pieces[r][s]] = true;
     for (const Regime& regime : target.regimes) {
@@ -300,10 +305,10 @@ Result<Trimmed> Trim(const Source& source, const TrimOptions& options) {
     const Genotype& genotype = (*after)[p].genotype;
     assert(genotype == trimmer.genotype(p));
     auto proof = options.lived.empty()
-                     ? CompareRobots(before.genotype, genotype,
-                                     before.environments, Compared::kAll)
-                     : CompareRobots(before.genotype, genotype,
-                                     options.lived[p], Compared::kNamed);
+                     ? CompareRegimes(before.genotype, genotype,
+                                      before.environments, Compared::kAll)
+                     : CompareRegimes(before.genotype, genotype,
+                                      options.lived[p], Compared::kNamed);
     assert(proof && AreSame(*proof));
     trimmed.genotypes.push_back({genotype.name, CountPieces(before.genotype),
                                  CountPieces(genotype), std::move(*proof)});

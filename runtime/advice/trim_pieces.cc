@@ -1,3 +1,12 @@
+// Pieces are places of the text, not of a genotype: a rule that several
+// genotypes share is one piece with several programs. KeepPieces makes of a
+// genotype what the text would compile to without the pieces that went, so that
+// tries need no compiler; Trim proves at the end that it does.
+//
+// Which connective stays between two terms of which those between went? If one
+// of those that joined them was an `or`, they were in different groups and stay
+// so (JoiningConnective): `a and b or c` without b is `a or c`.
+
 #include "runtime/advice/trim_pieces.h"
 
 #include <algorithm>

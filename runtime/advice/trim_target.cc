@@ -14,6 +14,10 @@
 // Robots are compared by value and by key, since -0 equals 0 and is another
 // bit. Lengths are counted before strings are derived (growth): they are the
 // measure of the work, and no string beyond its limit is begun.
+//
+// A try costs one development for each set of active rules that was not
+// developed before, over the regimes that must be looked at; `work_` counts it
+// in symbols.
 
 #include "runtime/advice/trim_target.h"
 
@@ -55,15 +59,15 @@ Diagnostic TooManyEnvironments(const MappedProgram& mapped) {
 // Those that some environment that counts is in: where the same rules are
 // active, the same develops.
 std::vector<Regime> Counted(std::vector<Regime> regimes,
-                            const Genotype& genotype, const StateSpace& space,
+                            const std::vector<const Clause*>& clauses,
+                            const StateSpace& space,
                             const LivedEnvironments& lived) {
   if (!lived) return regimes;
-  std::set<std::vector<RuleIndex>> active;
+  std::set<std::vector<bool>> holding;
   for (const NamedEnvironment& one : *lived)
-    active.insert(RulesThatHold(genotype, one.environment));
+    holding.insert(WhichHold(clauses, one.environment.values));
   std::erase_if(regimes, [&](const Regime& regime) {
-    return !active.contains(
-        RulesThatHold(genotype, {space.At(regime.environment)}));
+    return !holding.contains(WhichHold(clauses, space.At(regime.environment)));
   });
   return regimes;
 }
@@ -107,26 +111,24 @@ class Attempt {
   }
 
  private:
-  std::vector<Regime> RegimesOf(const Genotype& genotype) {
+  std::vector<Regime> RegimesOf(const std::vector<const Clause*>& clauses) {
     // An eighth: a clause is looked up faster than a symbol is derived.
-    work_ += genotype.rules.size() *
-             static_cast<std::size_t>(*target_.space.size()) / 8;
-    return Counted(*FindRegimes(genotype, target_.space), genotype,
-                   target_.space, target_.lived);
+    work_ +=
+        clauses.size() * static_cast<std::size_t>(*target_.space.size()) / 8;
+    return Counted(*FindRegimes(clauses, target_.space), clauses, target_.space,
+                   target_.lived);
   }
 
   // The environments to look at: without symbols or rules no more are told
   // apart, but without terms others may be.
   std::vector<Regime> RegimesOfBoth() {
-    Genotype both = target_.current;
-    both.rules.insert(both.rules.end(), next_.current.rules.begin(),
-                      next_.current.rules.end());
-    return RegimesOf(both);
+    return RegimesOf(ClausesOf(target_.current, next_.current));
   }
 
   bool DevelopsTheSame(PieceKind kind) {
-    next_.regimes =
-        kind == PieceKind::kSymbol ? target_.regimes : RegimesOf(next_.current);
+    next_.regimes = kind == PieceKind::kSymbol
+                        ? target_.regimes
+                        : RegimesOf(ClausesOf(next_.current));
     const std::vector<Regime> regimes =
         kind == PieceKind::kTerm ? RegimesOfBoth() : target_.regimes;
     return std::all_of(regimes.begin(), regimes.end(),
@@ -180,14 +182,15 @@ Result<TrimTarget> MakeTrimTarget(const MappedProgram& mapped,
   const Genotype& genotype = mapped.program.genotype;
   TrimTarget target{
       &mapped, std::move(lived), StateSpace(genotype), genotype, {}, {}, {}};
-  const auto regimes = FindRegimes(genotype, target.space);
+  const std::vector<const Clause*> clauses = ClausesOf(genotype);
+  const auto regimes = FindRegimes(clauses, target.space);
   // Proofs look at the rules of before and after together.
   const bool is_too_much =
       !regimes ||
       genotype.rules.size() >
           kMaxRegulations / 2 / static_cast<std::size_t>(*target.space.size());
   if (is_too_much) return TooManyEnvironments(mapped);
-  target.regimes = Counted(*regimes, genotype, target.space, target.lived);
+  target.regimes = Counted(*regimes, clauses, target.space, target.lived);
   if (auto problem = DevelopAll(target)) return *problem;
   target.tests = PassingTests(mapped);
   return target;

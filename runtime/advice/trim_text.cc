@@ -1,18 +1,22 @@
+// Leaving bytes out of a text so that a person would not have left it
+// otherwise. What goes is first a list of spans, sorted, of which some may lie
+// within others; then the kept text is put together line by line: a line of
+// which something was cut and nothing but blanks or a comment is left goes, a
+// cut takes the blanks on one side along, and of two blank lines that meet one
+// stays. Comments right above a rule that goes are part of its span.
+
 #include "runtime/advice/trim_text.h"
 
 #include <algorithm>
 #include <string_view>
+
+#include "grammar/keywords.h"
 
 namespace plsc {
 
 namespace {
 
 constexpr std::string_view kBlanks = " \t";
-
-bool IsNameCharacter(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
-         (c >= '0' && c <= '9') || c == '_';
-}
 
 // Where the keyword stands in [begin, end), comments left out; it is there.
 Span FindKeyword(std::string_view text, std::string_view word, Span within) {
@@ -23,9 +27,9 @@ Span FindKeyword(std::string_view text, std::string_view word, Span within) {
       continue;
     }
     const auto end = static_cast<std::uint32_t>(at + word.size());
-    const bool begins_word = at == 0 || !IsNameCharacter(text[at - 1]);
+    const bool begins_word = at == 0 || !IsWordCharacter(text[at - 1]);
     if (begins_word && text.substr(at, word.size()) == word &&
-        !IsNameCharacter(text[end]))
+        !IsWordCharacter(text[end]))
       return {at, end};
   }
   return {within.end, within.end};

@@ -2,11 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
-#include <cmath>
-#include <system_error>
 #include <utility>
 
+#include "grammar/number.h"
 #include "grammar/shown_line.h"
 
 namespace plsc {
@@ -64,7 +62,7 @@ std::optional<WrittenNumber> AuthorsCursor::Number() {
   const std::size_t end =
       std::min(text_.find_first_of(",]} \t\r\n", at_), text_.size());
   const Span span{at(), static_cast<std::uint32_t>(end)};
-  const auto value = ParseAuthorsNumber(Text(span));
+  const auto value = ParseNumber<double>(Text(span));
   if (!value) {
     Fail(end == at_ ? Span{at(), at() + (is_at_end() ? 0U : 1U)} : span,
          "a number");
@@ -88,19 +86,6 @@ std::string AuthorsCursor::Found() const {
   const std::size_t end = text_.find_first_of(" \t\r\n,]}>", at_ + 1);
   return Quoted(
       Printable(text_.substr(at_, std::min(end, text_.size()) - at_), kShown));
-}
-
-std::optional<double> ParseAuthorsNumber(std::string_view text) {
-  // from_chars also reads inf and nan, which no genotype has.
-  if (text.find_first_not_of("+-.0123456789eE") != std::string_view::npos)
-    return std::nullopt;
-  double value = 0;
-  const auto [end, error] =
-      std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc{} || end != text.data() + text.size() ||
-      !std::isfinite(value))
-    return std::nullopt;
-  return value;
 }
 
 }  // namespace plsc

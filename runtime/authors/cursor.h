@@ -49,8 +49,4 @@ class AuthorsCursor {
   std::optional<Diagnostic> error_;
 };
 
-/// The whole of `text` as a number: digits, perhaps a sign, a point and an
-/// exponent.
-std::optional<double> ParseAuthorsNumber(std::string_view text);
-
 }  // namespace plsc

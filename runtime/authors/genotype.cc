@@ -1,3 +1,13 @@
+// From the authors' symbols to a genotype that Verify accepts, in one of two
+// ways of reading (repr, lines) that give the same values. What their texts
+// leave out is filled in as their experiments had it and said in a warning,
+// since a genotype without it would develop otherwise.
+//
+// Their export was made after the level season had joined active rules inside
+// the genotype (decision 1). Such a tail can be recognised, as it repeats the
+// later rules symbol by symbol, and is left out only if that is asked for: it
+// may also be there by evolution.
+
 #include "runtime/authors/genotype.h"
 
 #include <fmt/format.h>

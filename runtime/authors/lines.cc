@@ -5,6 +5,7 @@
 
 #include <utility>
 
+#include "grammar/number.h"
 #include "grammar/reporter.h"
 #include "runtime/authors/cursor.h"
 #include "runtime/authors/genotype.h"
@@ -82,7 +83,7 @@ class LinesReader {
       const std::string_view number = text.substr(at, end - at);
       const Span place{span.begin + static_cast<std::uint32_t>(at),
                        span.begin + static_cast<std::uint32_t>(end)};
-      const auto value = ParseAuthorsNumber(number);
+      const auto value = ParseNumber<double>(number);
       if (!value)
         reporter_.Report(
             Code::kNotAuthors, place,

@@ -9,7 +9,7 @@
 #include <string>
 
 #include "compiler/limits.h"
-#include "compiler/print.h"
+#include "grammar/number.h"
 #include "grammar/suggest.h"
 
 namespace plsc {

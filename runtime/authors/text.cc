@@ -52,11 +52,9 @@ std::string ClauseText(const Clause& clause, const Genotype& genotype) {
     if (i > 0)
       text += clause.connectives[i - 1] == Connective::kAnd ? ", ['and'], "
                                                             : ", ['or'], ";
-    text +=
-        fmt::format("['{}', '{}', {}]",
-                    genotype.states[static_cast<std::size_t>(term.state)].name,
-                    term.comparison == Comparison::kEqual ? "==" : "!=",
-                    term.value != 0 ? "True" : "False");
+    text += fmt::format("['{}', '{}', {}]", genotype.StateOf(term.state).name,
+                        term.comparison == Comparison::kEqual ? "==" : "!=",
+                        term.value != 0 ? "True" : "False");
   }
   return fmt::format("[{}]", text);
 }
@@ -78,7 +76,7 @@ std::optional<Diagnostic> WhyNot(const Genotype& genotype, bool has_clauses) {
           fmt::format("Revolve's conditions are True or False, and '{}' is not",
                       state.name));
   for (const Rule& rule : genotype.rules) {
-    const std::string& head = (*genotype.alphabet)[rule.head].name;
+    const std::string& head = genotype.SymbolOf(rule.head).name;
     if (rule.clause.is_always() && has_clauses)
       return Unsayable(fmt::format(
           "in Revolve either every rule has a clause or none, and a rule of "

@@ -5,7 +5,8 @@
 #include <cstdlib>
 #include <iostream>
 
-#include "runtime/cli/arguments/command.h"
+#include "runtime/cli/files/io.h"
+#include "runtime/cli/run.h"
 
 int main(int argc, char** argv) {
   std::ios::sync_with_stdio(false);

@@ -1,20 +1,13 @@
-#include <ostream>
-#include <variant>
+#include "runtime/cli/run.h"
 
-#include "runtime/cli/arguments/command.h"
+#include <ostream>
+
+#include "runtime/cli/arguments/arguments.h"
 
 namespace plsc::cli {
 
-Exit Run(const Answer& answer, Io& io) {
-  io.out << answer.out;
-  io.err << answer.err;
-  return answer.exit;
-}
-
 Exit Main(const std::vector<std::string>& arguments, Io& io) {
-  const Exit exit =
-      std::visit([&](const auto& command) { return Run(command, io); },
-                 ParseArguments(arguments));
+  const Exit exit = ParseArguments(arguments).Execute(io);
   if (exit == Exit::kBadInput || exit == Exit::kBadUsage)
     io.err << AdviceOnValues(arguments);
   return exit;

@@ -1,3 +1,9 @@
+// A module's place is the way of slots that leads to it from the core: the same
+// place is the same module, whatever was mounted before it. So a body is a set
+// of words over four letters, and two bodies are compared as sets. Cells would
+// not do: sensors have none, and two ways can lead to one cell, so that a limb
+// of one body would be taken for part of another limb of the other.
+
 #include "runtime/compare/body_difference.h"
 
 #include <map>

@@ -2,15 +2,17 @@
 
 #include <fmt/format.h>
 
-#include <array>
-#include <cstddef>
+#include "grammar/enum_names.h"
 
 namespace plsc {
 
 std::string_view KindName(DifferenceKind kind) {
-  constexpr std::array<std::string_view, 4> kNames{"added", "missing", "moved",
-                                                   "changed"};
-  return kNames[static_cast<std::size_t>(kind)];
+  constexpr EnumNames<DifferenceKind, 4> kNames{
+      {{DifferenceKind::kAdded, "added"},
+       {DifferenceKind::kMissing, "missing"},
+       {DifferenceKind::kMoved, "moved"},
+       {DifferenceKind::kChanged, "changed"}}};
+  return NameIn(kNames, kind);
 }
 
 std::string Describe(const Difference& difference) {

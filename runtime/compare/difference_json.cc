@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "compiler/changes/merge_parts.h"
+#include "grammar/enum_names.h"
 
 namespace plsc {
 
@@ -11,19 +12,11 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-const char* NameOf(ItemChangeKind kind) {
-  switch (kind) {
-    case ItemChangeKind::kAdded:
-      return "added";
-    case ItemChangeKind::kRemoved:
-      return "removed";
-    case ItemChangeKind::kMoved:
-      return "moved";
-    case ItemChangeKind::kChanged:
-      break;
-  }
-  return "changed";
-}
+constexpr EnumNames<ItemChangeKind, 4> kItemChangeNames{
+    {{ItemChangeKind::kAdded, "added"},
+     {ItemChangeKind::kRemoved, "removed"},
+     {ItemChangeKind::kMoved, "moved"},
+     {ItemChangeKind::kChanged, "changed"}}};
 
 Json LineJson(int line) {
   return line == 0 ? Json() : Json(line);
@@ -36,7 +29,7 @@ Json PartJson(const std::optional<PartContent>& part) {
 Json ItemJson(const ItemChange& change) {
   Json json;
   json["item"] = change.name;
-  json["change"] = NameOf(change.kind);
+  json["change"] = NameIn(kItemChangeNames, change.kind);
   json["old_line"] = LineJson(change.old_line);
   json["new_line"] = LineJson(change.new_line);
   json["old"] = change.before;
@@ -94,7 +87,7 @@ std::string DifferenceJson(const std::vector<SectionChange>& texts,
     for (const EnvironmentDifference& environment : one.environments)
       environments.push_back(EnvironmentJson(environment));
     json["robots"].push_back({{"genotype", one.genotype},
-                              {"change", NameOf(one.kind)},
+                              {"change", NameIn(kItemChangeNames, one.kind)},
                               {"differs", one.is_different()},
                               {"limitation", one.limitation},
                               {"environments", std::move(environments)}});

@@ -1,3 +1,10 @@
+// Two versions of a genotype can be compared where both can be told what is
+// sensed. Their states are united by name, the clauses of both are moved into
+// that union, and its regimes are the environments to look at, each seen by
+// either version in its own order of states. A state of other values cannot be
+// united; then, or if there are too many environments, only those that both
+// files declare under one name are compared, and the limitation is said.
+
 #include "runtime/compare/environment_pairs.h"
 
 #include <fmt/format.h>
@@ -59,7 +66,7 @@ class StateUnion {
   /// A rule's clause, asking about these states.
   Clause Moved(Clause clause, const std::vector<State>& from) const {
     for (Term& term : clause.terms) {
-      const State& state = from[static_cast<std::size_t>(term.state)];
+      const State& state = StateAt(from, term.state);
       term.state = static_cast<StateId>(*IndexOf(states_, state.name));
     }
     return clause;
@@ -113,13 +120,13 @@ SharedEnvironments Declared(const Program& before, const Program& after,
   return shared;
 }
 
-// Which rules of both are active.
-std::vector<bool> ActiveIn(const Genotype& both,
-                           const std::vector<double>& values) {
-  std::vector<bool> active;
-  for (const Rule& rule : both.rules)
-    active.push_back(ClauseHolds(rule.clause, values));
-  return active;
+std::vector<Clause> ClausesOfBoth(const StateUnion& all, const Genotype& before,
+                                  const Genotype& after) {
+  std::vector<Clause> clauses;
+  for (const Genotype* one : {&before, &after})
+    for (const Rule& rule : one->rules)
+      clauses.push_back(all.Moved(rule.clause, one->states));
+  return clauses;
 }
 
 }  // namespace
@@ -130,22 +137,20 @@ SharedEnvironments FindSharedEnvironments(const Program& before,
   const std::vector<State>& new_states = after.genotype.states;
   const StateUnion all(old_states, new_states);
   if (!all.problem().empty()) return Declared(before, after, all.problem());
-  Genotype both;
-  both.states = all.states();
-  for (const Rule& rule : before.genotype.rules)
-    both.rules.push_back({{}, all.Moved(rule.clause, old_states), {}});
-  for (const Rule& rule : after.genotype.rules)
-    both.rules.push_back({{}, all.Moved(rule.clause, new_states), {}});
-  const StateSpace space(both);
-  const auto regimes = FindRegimes(both, space);
+  const std::vector<Clause> moved =
+      ClausesOfBoth(all, before.genotype, after.genotype);
+  std::vector<const Clause*> clauses;
+  for (const Clause& clause : moved) clauses.push_back(&clause);
+  const StateSpace space(clauses, all.states());
+  const auto regimes = FindRegimes(clauses, space);
   if (!regimes)
     return Declared(before, after,
                     "the clauses tell apart too many environments");
   SharedEnvironments shared;
-  std::map<std::vector<bool>, std::size_t> by_rules;
+  std::map<std::vector<bool>, std::size_t> by_clauses;
   for (const Regime& regime : *regimes) {
     const std::vector<double> values = space.At(regime.environment);
-    by_rules[ActiveIn(both, values)] = shared.environments.size();
+    by_clauses[WhichHold(clauses, values)] = shared.environments.size();
     shared.environments.push_back({TextOf(values, all.states()),
                                    {},
                                    all.In(old_states, values),
@@ -155,8 +160,8 @@ SharedEnvironments FindSharedEnvironments(const Program& before,
     for (const NamedEnvironment& named : program.environments) {
       const auto values = all.From(program.genotype.states, named.environment);
       if (!values) continue;
-      const auto found = by_rules.find(ActiveIn(both, *values));
-      if (found == by_rules.end()) continue;  // beyond a range that shrank
+      const auto found = by_clauses.find(WhichHold(clauses, *values));
+      if (found == by_clauses.end()) continue;  // beyond a range that shrank
       auto& names = shared.environments[found->second].names;
       if (std::find(names.begin(), names.end(), named.name) == names.end())
         names.push_back(named.name);

@@ -1,57 +1,31 @@
+// What is remembered is what a person would write down, by names and places and
+// not by indices, so that a golden file can be read, reviewed and merged. Long
+// strings are remembered by their beginning and a hash: a file stays small, and
+// any change shows. Environments are those that the file names; without any,
+// all combinations of finite states, if they are few.
+
 #include "runtime/compare/golden.h"
 
 #include <fmt/format.h>
 
-#include <array>
 #include <string_view>
 
 #include "compiler/print.h"
 #include "runtime/develop/derive.h"
 #include "runtime/develop/descriptors.h"
 #include "runtime/develop/develop.h"
+#include "runtime/develop/part_names.h"
+#include "sim/fnv.h"
 
 namespace plsc {
 
 namespace {
 
-std::string_view SlotName(Slot slot) {
-  constexpr std::array<std::string_view, kSlots> kNames{"back", "front",
-                                                        "right", "left"};
-  return kNames[static_cast<std::size_t>(slot)];
-}
-
-std::string_view FacingName(Facing facing) {
-  constexpr std::array<std::string_view, 4> kNames{"front", "left", "back",
-                                                   "right"};
-  return kNames[static_cast<std::size_t>(facing)];
-}
-
-std::string SymbolText(const Genotype& genotype, const Occurrence& occurrence) {
-  Symbol symbol{occurrence.symbol, {}};
-  if (occurrence.rule != kNoRule)
-    symbol = genotype.rules[occurrence.rule].production[occurrence.position];
-  return PrintSymbol(symbol, *genotype.alphabet);
-}
-
-// FNV-1a with 64 bits (offset basis and prime of its authors): short, the same
-// everywhere; nobody attacks a golden file.
-class Hash {
- public:
-  void Add(std::string_view text) {
-    for (const char c : text)
-      state_ = (state_ ^ static_cast<unsigned char>(c)) * 0x100000001b3U;
-  }
-  std::string text() const { return fmt::format("{:016x}", state_); }
-
- private:
-  std::uint64_t state_ = 0xcbf29ce484222325U;
-};
-
 GoldenString ObserveString(const Genotype& genotype,
                            const SymbolString& string) {
   GoldenString golden;
   golden.length = string.size();
-  Hash hash;
+  Fnv hash;  // short, the same everywhere; nobody attacks a golden file
   for (const Occurrence& occurrence : string) {
     std::string text = SymbolText(genotype, occurrence);
     hash.Add(text);
@@ -59,7 +33,8 @@ GoldenString ObserveString(const Genotype& genotype,
     if (golden.symbols.size() < kGoldenSymbols)
       golden.symbols.push_back(std::move(text));
   }
-  if (golden.length > kGoldenSymbols) golden.hash = hash.text();
+  if (golden.length > kGoldenSymbols)
+    golden.hash = fmt::format("{:016x}", hash.value());
   return golden;
 }
 
@@ -78,10 +53,6 @@ GoldenModule ObserveModule(const Body& body, int index) {
     golden.facing = FacingName(module.facing);
   }
   return golden;
-}
-
-std::string NodeName(int index) {
-  return "node" + std::to_string(index + 1);
 }
 
 GoldenValues Values(const std::vector<NamedValue>& values) {

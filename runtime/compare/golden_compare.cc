@@ -1,3 +1,10 @@
+// Facts are compared one kind after the other, from causes to effects: what was
+// sensed, which rules were active, the string, then the robot. A person reads
+// the first line and mostly knows. Strings are shown where they part and join
+// again; of a string that was cut and hashed the end is not known, so it is not
+// compared from behind. All is exact but descriptors, which go through exp and
+// may differ in last bits from machine to machine.
+
 #include "runtime/compare/golden_compare.h"
 
 #include <fmt/format.h>
@@ -6,7 +13,7 @@
 #include <cmath>
 #include <map>
 
-#include "compiler/print.h"
+#include "grammar/number.h"
 #include "runtime/compare/robot_parts.h"
 
 namespace plsc {
@@ -98,7 +105,7 @@ void CompareBodies(const Observation& expected, const Observation& found,
   if (!expected.robot) return;
   const GoldenRobot& e = *expected.robot;
   const GoldenRobot& f = *found.robot;
-  CompareRobots(e, f, differences);
+  CompareParts(e, f, differences);
   CompareValues(e.body_descriptors, f.body_descriptors, tolerance, differences);
   CompareValues(e.brain_descriptors, f.brain_descriptors, tolerance,
                 differences);

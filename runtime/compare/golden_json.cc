@@ -4,7 +4,7 @@
 #include <string_view>
 #include <utility>
 
-#include "compiler/print.h"
+#include "grammar/number.h"
 
 namespace plsc {
 

@@ -1,3 +1,8 @@
+// Both genotypes are developed in each environment in which the two can be
+// compared (environment_pairs), each set of active rules once, and compared
+// part by part (robot_parts). Environments in which the same changed are told
+// together: a person wants to read a change once.
+
 #include "runtime/compare/robot_difference.h"
 
 #include <algorithm>
@@ -55,7 +60,7 @@ std::vector<Difference> CompareDeveloped(
     return differences;
   }
   if (before->robot && after->robot)
-    CompareRobots(*before->robot, *after->robot, differences);
+    CompareParts(*before->robot, *after->robot, differences);
   else if (before->robot || after->robot)
     differences.push_back(
         {after->robot ? DifferenceKind::kAdded : DifferenceKind::kMissing,
@@ -67,7 +72,7 @@ std::vector<Difference> CompareDeveloped(
 
 }  // namespace
 
-std::vector<EnvironmentDifference> CompareRobotsIn(
+std::vector<EnvironmentDifference> CompareRobots(
     const std::vector<SharedEnvironment>& environments, const Genotype& before,
     const Genotype& after) {
   Developer old_robots(before);

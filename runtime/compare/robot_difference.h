@@ -18,7 +18,7 @@ struct EnvironmentDifference {
 };
 
 /// One for each environment, in order.
-std::vector<EnvironmentDifference> CompareRobotsIn(
+std::vector<EnvironmentDifference> CompareRobots(
     const std::vector<SharedEnvironment>& environments, const Genotype& before,
     const Genotype& after);
 

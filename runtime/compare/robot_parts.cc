@@ -13,6 +13,7 @@
 // logarithm.
 
 #include "runtime/compare/robot_parts.h"
+#include "grammar/number.h"
 
 #include <fmt/format.h>
 
@@ -21,8 +22,6 @@
 #include <string>
 #include <string_view>
 #include <utility>
-
-#include "compiler/print.h"
 
 namespace plsc {
 
@@ -367,8 +366,8 @@ void RobotComparison::Edges() {
 
 }  // namespace
 
-void CompareRobots(const GoldenRobot& expected, const GoldenRobot& found,
-                   std::vector<Difference>& differences) {
+void CompareParts(const GoldenRobot& expected, const GoldenRobot& found,
+                  std::vector<Difference>& differences) {
   RobotComparison comparison(expected, found, differences);
   comparison.Modules();
   comparison.Nodes();

@@ -15,7 +15,7 @@ namespace plsc {
 /// Appends to `differences`. A module is the same where it sits in the same
 /// place, or has moved and kept number and type; nodes and edges go with their
 /// modules, and those of an added or missing module are not reported again.
-void CompareRobots(const GoldenRobot& expected, const GoldenRobot& found,
-                   std::vector<Difference>& differences);
+void CompareParts(const GoldenRobot& expected, const GoldenRobot& found,
+                  std::vector<Difference>& differences);
 
 }  // namespace plsc

@@ -26,13 +26,12 @@ std::optional<Key> KeyIn(const Genotype& genotype, const ActiveRules& active) {
 
 }  // namespace
 
-std::optional<std::vector<ComparedRegime>> CompareRobots(
+std::optional<std::vector<ComparedRegime>> CompareRegimes(
     const Genotype& before, const Genotype& after,
     const std::vector<NamedEnvironment>& named, Compared which) {
-  Genotype both = before;
-  both.rules.insert(both.rules.end(), after.rules.begin(), after.rules.end());
-  const StateSpace space(both);
-  const auto regimes = FindRegimes(both, space);
+  const std::vector<const Clause*> clauses = ClausesOf(before, after);
+  const StateSpace space(clauses, before.states);
+  const auto regimes = FindRegimes(clauses, space);
   if (!regimes) return std::nullopt;
   std::vector<ComparedRegime> compared;
   for (const Regime& regime : *regimes) {

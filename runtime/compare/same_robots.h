@@ -31,7 +31,7 @@ enum class Compared : std::uint8_t {
 /// In the order of their first environments. The genotypes have equal states
 /// and alphabets. Nothing when there are too many environments to develop
 /// (runtime/develop/regimes.h), or a string grows beyond its limit.
-std::optional<std::vector<ComparedRegime>> CompareRobots(
+std::optional<std::vector<ComparedRegime>> CompareRegimes(
     const Genotype& before, const Genotype& after,
     const std::vector<NamedEnvironment>& named,
     Compared compared = Compared::kAll);

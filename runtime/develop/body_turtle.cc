@@ -85,6 +85,7 @@ int BodyTurtle::NeighbourAt(Slot slot) const {
 Mounting BodyTurtle::MountAt(Slot slot, ModuleType type) {
   assert(type != ModuleType::kCore);
   const Module& parent = at(reference_);
+  // What returns before the module is numbered leaves the turtle as it was.
   if (parent.child(slot) != kNoModule) return {Effect::kSlotTaken};
 
   Module module;

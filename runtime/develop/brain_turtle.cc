@@ -64,6 +64,8 @@ Effect BrainTurtle::Missing() const {
 }
 
 void BrainTurtle::AddEnd(int of, int other) {
+  // Behind its older edges, as edges are counted by age; what belongs to later
+  // nodes moves on.
   const auto next = static_cast<std::size_t>(of) + 1;
   ends_.insert(ends_.begin() + end_begins_[next], other);
   for (std::size_t i = next; i < end_begins_.size(); ++i) ++end_begins_[i];

@@ -35,8 +35,7 @@ std::optional<SymbolString> DeriveAllButLast(const Genotype& genotype,
 /// itself.
 inline std::span<const Occurrence> RewrittenInto(const Successors& joined,
                                                  const Occurrence& occurrence) {
-  const std::span<const Occurrence> successor =
-      joined[static_cast<std::size_t>(occurrence.symbol)];
+  const std::span<const Occurrence> successor = joined[occurrence.symbol];
   if (!successor.empty()) return successor;
   return {&occurrence, 1};
 }

@@ -139,6 +139,7 @@ double Median(std::vector<double> values) {
                                 : (values[middle - 1] + values[middle]) / 2;
 }
 
+// Over n and not n - 1, as the authors' program has it.
 double PopulationDeviation(const std::vector<double>& values) {
   const auto count = static_cast<double>(values.size());
   const double mean =
@@ -279,6 +280,7 @@ BodyDescriptors DescribeBody(const Body& body) {
   BodyDescriptors d;
   CountModules(body, d);
   const int size = d.absolute_size;
+  // Below 5 the divisor would be 0, below 3 that of the limbs.
   if (size >= 5)
     d.branching = d.branching_modules_count / std::floor((size - 2) / 3.0);
   d.limbs = Ratio(d.extremities, MostExtremities(size));
@@ -300,6 +302,8 @@ BrainDescriptors DescribeBrain(const Phenotype& phenotype) {
   BrainDescriptors d;
   BodyDescriptors counts;
   CountModules(phenotype.body, counts);
+  // The authors' program asks nothing of such a brain (revolve_bot.py:102-109),
+  // not even for the descriptors that would be defined.
   if (counts.active_hinges_count == 0) return d;
 
   std::vector<Node> oscillators;

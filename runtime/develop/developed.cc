@@ -20,22 +20,25 @@ std::optional<Developed> DevelopActive(const Genotype& genotype,
     return developed;
   }
   for (const Occurrence& occurrence : *string) {
-    Symbol symbol{occurrence.symbol, {}};
-    if (occurrence.rule != kNoRule)
-      symbol = genotype.rules[occurrence.rule].production[occurrence.position];
-    developed.string.push_back(symbol);
+    developed.string.push_back(SymbolAt(genotype, occurrence));
   }
   return developed;
 }
 
 Key DevelopedKey(const Genotype& genotype, const Developed& developed) {
-  if (developed.robot)
-    return KeyOf(BodyJson(developed.robot->body) + '\n' +
-                 BrainJson(*developed.robot));
+  if (developed.robot) return RobotKey(*developed.robot);
   std::string text;
   for (const Symbol& symbol : developed.string)
     text += PrintSymbol(symbol, *genotype.alphabet) + '\n';
   return KeyOf(text);
+}
+
+Key RobotKey(const std::string& body, const std::string& brain) {
+  return KeyOf(body + '\n' + brain);
+}
+
+Key RobotKey(const Phenotype& robot) {
+  return RobotKey(BodyJson(robot.body), BrainJson(robot));
 }
 
 }  // namespace plsc

@@ -5,6 +5,7 @@
 // the same robot to the last bit of every number.
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "runtime/develop/regulate.h"
@@ -28,5 +29,9 @@ std::optional<Developed> DevelopActive(const Genotype& genotype,
 /// neither names nor how it developed count. `genotype` says how symbols are
 /// called.
 Key DevelopedKey(const Genotype& genotype, const Developed& developed);
+
+/// Of a robot as BodyJson and BrainJson write it.
+Key RobotKey(const std::string& body, const std::string& brain);
+Key RobotKey(const Phenotype& robot);
 
 }  // namespace plsc

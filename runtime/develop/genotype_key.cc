@@ -1,3 +1,9 @@
+// The text that Print writes is the same for all genotypes that say the same,
+// but for the name and for orders that mean nothing: states are looked up by
+// name, and values of an enum by theirs. They are sorted first, and every term
+// is renumbered with them. Sorting more than that (rules of a head, terms,
+// symbols) would call two genotypes one that mutate or develop differently.
+
 #include "runtime/develop/genotype_key.h"
 
 #include <algorithm>

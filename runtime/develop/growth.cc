@@ -38,9 +38,10 @@ std::vector<Tally> TalliesOf(const ActiveRules& active) {
   std::vector<Tally> tallies(active.joined.size());
   std::vector<std::uint64_t> counts(active.joined.size(), 0);
   for (std::size_t head = 0; head < tallies.size(); ++head) {
-    for (const Occurrence& occurrence : active.joined[head])
+    const auto joined = active.joined[static_cast<SymbolId>(head)];
+    for (const Occurrence& occurrence : joined)
       ++counts[static_cast<std::size_t>(occurrence.symbol)];
-    for (const Occurrence& occurrence : active.joined[head]) {
+    for (const Occurrence& occurrence : joined) {
       const auto symbol = static_cast<std::size_t>(occurrence.symbol);
       if (counts[symbol] == 0) continue;  // already told
       tallies[head].emplace_back(symbol, counts[symbol]);
@@ -61,6 +62,7 @@ std::uint64_t DerivedLength(const Genotype& genotype,
     std::vector<std::uint64_t> next(counts.size(), 0);
     for (std::size_t symbol = 0; symbol < counts.size(); ++symbol) {
       if (counts[symbol] == 0) continue;
+      // Without active rules a symbol stays.
       if (tallies[symbol].empty())
         next[symbol] = SaturatingAdd(next[symbol], counts[symbol]);
       for (const auto& [successor, times] : tallies[symbol])
@@ -77,8 +79,7 @@ std::uint64_t DerivedLength(const Genotype& genotype,
 
 std::vector<std::uint64_t> ReadingLengths(const Genotype& genotype,
                                           const ActiveRules& active) {
-  const std::span<const Occurrence> production =
-      active.joined[static_cast<std::size_t>(genotype.axiom)];
+  const std::span<const Occurrence> production = active.joined[genotype.axiom];
   if (production.empty()) return {};
   const auto sum = [](const std::vector<std::uint64_t>& lengths,
                       std::span<const Occurrence> string) {
@@ -95,8 +96,9 @@ std::vector<std::uint64_t> ReadingLengths(const Genotype& genotype,
     readings.push_back(sum(lengths, production.subspan(1)));
     std::vector<std::uint64_t> next = lengths;
     for (std::size_t symbol = 0; symbol < next.size(); ++symbol)
-      if (!active.joined[symbol].empty())
-        next[symbol] = sum(lengths, active.joined[symbol]);
+      if (const auto joined = active.joined[static_cast<SymbolId>(symbol)];
+          !joined.empty())
+        next[symbol] = sum(lengths, joined);
     lengths = std::move(next);
   }
   return readings;
@@ -105,8 +107,8 @@ std::vector<std::uint64_t> ReadingLengths(const Genotype& genotype,
 std::optional<Multiplier> GreatestMultiplier(const ActiveRules& active) {
   Multiplier greatest;
   for (std::size_t head = 0; head < active.joined.size(); ++head) {
-    const std::span<const Occurrence> joined = active.joined[head];
     const auto symbol = static_cast<SymbolId>(head);
+    const std::span<const Occurrence> joined = active.joined[symbol];
     const auto copies = static_cast<std::uint64_t>(
         std::count_if(joined.begin(), joined.end(),
                       [&](const Occurrence& o) { return o.symbol == symbol; }));

@@ -2,22 +2,18 @@
 
 #include <fmt/format.h>
 
-#include <array>
-
 #include "compiler/print.h"
+#include "grammar/enum_names.h"
 
 namespace plsc {
 
 std::string SymbolText(const Genotype& genotype, const Occurrence& occurrence) {
-  Symbol symbol{occurrence.symbol, {}};
-  if (occurrence.rule != kNoRule)
-    symbol = genotype.rules[occurrence.rule].production[occurrence.position];
-  return PrintSymbol(symbol, *genotype.alphabet);
+  return PrintSymbol(SymbolAt(genotype, occurrence), *genotype.alphabet);
 }
 
 const std::string& NameOf(const Genotype& genotype,
                           const Occurrence& occurrence) {
-  return (*genotype.alphabet)[occurrence.symbol].name;
+  return genotype.SymbolOf(occurrence.symbol).name;
 }
 
 std::string NodeName(int index) {
@@ -29,10 +25,19 @@ std::string EdgeName(const Connection& connection) {
 }
 
 std::string_view SlotName(Slot slot) {
-  // By Slot.
-  constexpr std::array<std::string_view, kSlots> kNames{"back", "front",
-                                                        "right", "left"};
-  return kNames[static_cast<std::size_t>(slot)];
+  constexpr EnumNames<Slot, kSlots> kNames{{{Slot::kBack, "back"},
+                                            {Slot::kFront, "front"},
+                                            {Slot::kRight, "right"},
+                                            {Slot::kLeft, "left"}}};
+  return NameIn(kNames, slot);
+}
+
+std::string_view FacingName(Facing facing) {
+  constexpr EnumNames<Facing, 4> kNames{{{Facing::kFront, "front"},
+                                         {Facing::kLeft, "left"},
+                                         {Facing::kBack, "back"},
+                                         {Facing::kRight, "right"}}};
+  return NameIn(kNames, facing);
 }
 
 }  // namespace plsc

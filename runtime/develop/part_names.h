@@ -21,7 +21,8 @@ const std::string& NameOf(const Genotype& genotype,
 
 std::string NodeName(int index);                     ///< "node3"
 std::string EdgeName(const Connection& connection);  ///< "node1-node3"
-/// "front", "left", "right", "back".
+// "front", "left", "right", "back":
 std::string_view SlotName(Slot slot);
+std::string_view FacingName(Facing facing);
 
 }  // namespace plsc

@@ -1,10 +1,15 @@
+// Canonical text as much as output: keys of phenotypes are hashes of it, stores
+// keep it, and packing knows its phrases. Keys are in a fixed order, numbers
+// read back to the same double, and children come in the order front, left,
+// right, back. What changes here changes keys and makes old stores unreadable.
+
 #include "runtime/develop/phenotype_json.h"
 
-#include <array>
 #include <nlohmann/json.hpp>
 
 #include "runtime/develop/descriptors_json.h"
 #include "runtime/develop/environment_json.h"
+#include "runtime/develop/part_names.h"
 #include "runtime/develop/regulate.h"
 #include "runtime/develop/symbol_json.h"
 
@@ -13,11 +18,6 @@ namespace plsc {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-const char* FacingName(Facing facing) {
-  constexpr std::array<const char*, 4> kNames{"front", "left", "back", "right"};
-  return kNames[static_cast<std::size_t>(facing)];
-}
 
 // Recursion is as deep as the body, at most max_modules.
 Json ModuleJson(const Body& body, int index) {
@@ -31,20 +31,12 @@ Json ModuleJson(const Body& body, int index) {
   json["y"] = is_sensor ? Json(nullptr) : Json(module.y);
   json["facing"] = is_sensor ? Json(nullptr) : Json(FacingName(module.facing));
   Json children = Json::object();
-  constexpr std::array<std::pair<Slot, const char*>, kSlots> kOrder{
-      {{Slot::kFront, "front"},
-       {Slot::kLeft, "left"},
-       {Slot::kRight, "right"},
-       {Slot::kBack, "back"}}};
-  for (const auto& [slot, name] : kOrder)
+  for (const Slot slot : {Slot::kFront, Slot::kLeft, Slot::kRight, Slot::kBack})
     if (module.child(slot) != kNoModule)
-      children[name] = ModuleJson(body, module.child(slot));
+      children[std::string(SlotName(slot))] =
+          ModuleJson(body, module.child(slot));
   json["children"] = std::move(children);
   return json;
-}
-
-std::string NodeName(int index) {
-  return "node" + std::to_string(index + 1);
 }
 
 Json BrainOf(const Phenotype& phenotype) {

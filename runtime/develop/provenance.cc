@@ -1,3 +1,8 @@
+// Two questions to a history. Back: which symbol made a part is kept by the
+// trace, and who changed it is found by going through the events once. Forward:
+// all insertions of one place of one rule, and what became of each, a place in
+// the final string or the rewriting that replaced it.
+
 #include "runtime/develop/provenance.h"
 
 #include <algorithm>

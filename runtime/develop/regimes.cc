@@ -17,18 +17,18 @@
 
 namespace plsc {
 
-std::optional<std::vector<Regime>> FindRegimes(const Genotype& genotype,
-                                               const StateSpace& space) {
+std::optional<std::vector<Regime>> FindRegimes(
+    std::span<const Clause* const> clauses, const StateSpace& space) {
   if (!space.size()) return std::nullopt;
   const auto size = static_cast<std::size_t>(*space.size());
-  if (genotype.rules.size() > kMaxRegulations / size) return std::nullopt;
+  if (clauses.size() > kMaxRegulations / size) return std::nullopt;
   // One class of all environments, split by each rule into those where it is
   // active and those where it is not.
   std::vector<int> class_of(size, 0);
   int class_count = 1;
-  for (const Rule& rule : genotype.rules) {
-    if (rule.clause.is_always()) continue;
-    const TruthTable table = Tabulate(rule.clause, space);
+  for (const Clause* clause : clauses) {
+    if (clause->is_always()) continue;
+    const TruthTable table = Tabulate(*clause, space);
     constexpr std::array<int, 2> kNone{-1, -1};
     std::vector<std::array<int, 2>> parts(static_cast<std::size_t>(class_count),
                                           kNone);
@@ -47,6 +47,15 @@ std::optional<std::vector<Regime>> FindRegimes(const Genotype& genotype,
     if (regime.count++ == 0) regime.environment = static_cast<int>(i);
   }
   return regimes;
+}
+
+std::vector<bool> WhichHold(std::span<const Clause* const> clauses,
+                            std::span<const double> values) {
+  std::vector<bool> holding;
+  holding.reserve(clauses.size());
+  for (const Clause* clause : clauses)
+    holding.push_back(ClauseHolds(*clause, values));
+  return holding;
 }
 
 }  // namespace plsc

@@ -1,3 +1,11 @@
+// A clause at a time, in the order of the genotype's rules, which are grouped
+// by head: so the successors of all symbols are appended to one array and only
+// their beginnings are noted. Where several rules of a symbol hold, their
+// productions are joined in that order (paper, "Environmental regulation";
+// authors' program, plasticoding.py:205-236, which joined them inside the
+// genotype: decision 1). Where none holds, the symbol has no successor and
+// stays. Linear in the genotype; the copies are occurrences of eight bytes.
+
 #include "runtime/develop/regulate.h"
 
 #include <cassert>
@@ -49,8 +57,7 @@ Successors JoinAll(const Genotype& genotype,
   return {std::move(occurrences), std::move(begins)};
 }
 
-}  // namespace
-
+/// In order.
 std::vector<RuleIndex> RulesThatHold(const Genotype& genotype,
                                      const Environment& environment) {
   std::vector<RuleIndex> rules;
@@ -60,6 +67,8 @@ std::vector<RuleIndex> RulesThatHold(const Genotype& genotype,
       rules.push_back(static_cast<RuleIndex>(i));
   return rules;
 }
+
+}  // namespace
 
 Successors::Successors(std::vector<Occurrence> occurrences,
                        std::vector<std::uint32_t> begins)

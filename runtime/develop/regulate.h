@@ -4,6 +4,7 @@
 // environment, and what each symbol is therefore rewritten into. The first
 // stage of development (paper, "Environmental regulation").
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -29,6 +30,21 @@ struct Occurrence {
   friend bool operator==(const Occurrence&, const Occurrence&) = default;
 };
 
+using Arguments = std::array<double, kMaxParameters>;
+
+/// As it is written at that place; the axiom has no arguments.
+inline const Arguments& ArgumentsOf(const Genotype& genotype,
+                                    const Occurrence& occurrence) {
+  static constexpr Arguments kNone{};
+  return occurrence.rule == kNoRule ? kNone
+                                    : genotype.rules[occurrence.rule]
+                                          .production[occurrence.position]
+                                          .arguments;
+}
+inline Symbol SymbolAt(const Genotype& genotype, const Occurrence& occurrence) {
+  return {occurrence.symbol, ArgumentsOf(genotype, occurrence)};
+}
+
 /// What each symbol is rewritten into, by SymbolId: the productions of its
 /// active rules joined in order; of C, the leading C of the second and later
 /// ones is left out. Empty: no rule is active, the symbol stays as it is.
@@ -42,9 +58,9 @@ class Successors {
   Successors(std::vector<Occurrence> occurrences,
              std::vector<std::uint32_t> begins);
 
-  std::span<const Occurrence> operator[](std::size_t symbol) const {
-    return {occurrences_.data() + begins_[symbol],
-            begins_[symbol + 1] - begins_[symbol]};
+  std::span<const Occurrence> operator[](SymbolId symbol) const {
+    const auto i = static_cast<std::size_t>(symbol);
+    return {occurrences_.data() + begins_[i], begins_[i + 1] - begins_[i]};
   }
   std::size_t size() const { return begins_.size() - 1; }  ///< symbols
 
@@ -54,11 +70,6 @@ class Successors {
   std::vector<Occurrence> occurrences_;
   std::vector<std::uint32_t> begins_{0};
 };
-
-/// Every rule whose clause holds in `environment`, in order, which here may be
-/// any.
-std::vector<RuleIndex> RulesThatHold(const Genotype& genotype,
-                                     const Environment& environment);
 
 struct ActiveRules {
   std::vector<RuleIndex> rules;  ///< every rule whose clause holds, in order

@@ -16,8 +16,6 @@
 
 namespace plsc {
 
-using Arguments = std::array<double, kMaxParameters>;
-
 class StringReader {
  public:
   explicit StringReader(const DevelopmentSettings& settings)
@@ -32,6 +30,12 @@ class StringReader {
 
   const BodyTurtle& body() const { return body_; }
   const BrainTurtle& brain() const { return brain_; }
+  /// Which parameter of the neuron a mutate_ command changes.
+  static double Node::*ParameterOf(SymbolId symbol) {
+    if (symbol == plasticoding::kMutateAmp) return &Node::amplitude;
+    if (symbol == plasticoding::kMutatePer) return &Node::period;
+    return &Node::phase_offset;
+  }
 
  private:
   Effect Mount(SymbolId symbol, const Arguments& arguments);
@@ -48,12 +52,6 @@ class StringReader {
         Slot::kBack,  Slot::kRight, Slot::kFront, Slot::kLeft};  // move_
     return kSides[static_cast<std::size_t>(symbol) -
                   static_cast<std::size_t>(plasticoding::kAddRight)];
-  }
-  // Which parameter of the neuron a mutate_ command changes.
-  static double Node::*ParameterOf(SymbolId symbol) {
-    if (symbol == plasticoding::kMutateAmp) return &Node::amplitude;
-    if (symbol == plasticoding::kMutatePer) return &Node::period;
-    return &Node::phase_offset;
   }
 
   BodyTurtle body_;
@@ -100,16 +98,6 @@ inline Effect StringReader::Read(SymbolId symbol, const Arguments& arguments) {
   }
   assert(false);
   return Effect::kStarted;
-}
-
-/// The arguments of the symbol that the occurrence names; the axiom has none.
-inline const Arguments& ArgumentsOf(const Genotype& genotype,
-                                    const Occurrence& occurrence) {
-  static constexpr Arguments kNone{};
-  return occurrence.rule == kNoRule ? kNone
-                                    : genotype.rules[occurrence.rule]
-                                          .production[occurrence.position]
-                                          .arguments;
 }
 
 }  // namespace plsc

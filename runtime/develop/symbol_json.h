@@ -12,13 +12,12 @@ namespace plsc {
 inline nlohmann::ordered_json SymbolJson(const Genotype& genotype,
                                          const Occurrence& occurrence) {
   using Json = nlohmann::ordered_json;
-  const SymbolInfo& info = (*genotype.alphabet)[occurrence.symbol];
+  const SymbolInfo& info = genotype.SymbolOf(occurrence.symbol);
   Json arguments = Json::array();
   if (occurrence.rule != kNoRule) {
-    const Symbol& symbol =
-        genotype.rules[occurrence.rule].production[occurrence.position];
+    const Arguments& written = ArgumentsOf(genotype, occurrence);
     for (std::size_t i = 0; i < info.parameters.size(); ++i) {
-      const double value = symbol.arguments[i];
+      const double value = written[i];
       // Whole numbers beyond 2^53 keep their double form.
       if (info.parameters[i].is_integer && value < 9007199254740992.0)
         arguments.push_back(static_cast<std::int64_t>(value));

@@ -30,13 +30,6 @@ bool IsModule(SymbolId symbol) {
   return symbol > plasticoding::kC && symbol <= plasticoding::kT;
 }
 
-// Which parameter of the neuron a mutate_* command changes.
-double Node::*ParameterOf(SymbolId symbol) {
-  if (symbol == plasticoding::kMutateAmp) return &Node::amplitude;
-  if (symbol == plasticoding::kMutatePer) return &Node::period;
-  return &Node::phase_offset;
-}
-
 std::optional<Slot> SlotMoved(SymbolId symbol) {
   if (symbol == plasticoding::kMoveFront) return Slot::kFront;
   if (symbol == plasticoding::kMoveLeft) return Slot::kLeft;
@@ -109,7 +102,8 @@ Event Tracer::Before(SymbolId symbol) const {
   } else if (symbol >= plasticoding::kMutateAmp) {
     event.node = nodes.neuron_reference();
     if (event.node != kNoNode)
-      event.before = At(brain().nodes, event.node).*ParameterOf(symbol);
+      event.before =
+          At(brain().nodes, event.node).*StringReader::ParameterOf(symbol);
   } else {
     BeforeMove(symbol, event);
   }
@@ -122,7 +116,8 @@ void Tracer::BeforeMove(SymbolId symbol, Event& event) const {
   if (event.slot && IsJoint(reference.type)) event.slot = Slot::kFront;
 }
 
-// Modules, nodes and edges that are new since `event` began.
+// Modules, nodes and edges that are new since `event` began. A symbol makes one
+// module and one node at most, but as many edges as nodes are stacked.
 void Tracer::Credit(Event& event) {
   const auto known_nodes = static_cast<int>(trace_.node_origins.size());
   const auto known_edges = static_cast<int>(trace_.edge_origins.size());
@@ -149,7 +144,8 @@ void Tracer::AfterBrainCommand(SymbolId symbol, Event& event) const {
       event.after = At(brain().connections, event.edge).weight;
       break;
     case Effect::kNeuronChanged:
-      event.after = At(brain().nodes, event.node).*ParameterOf(symbol);
+      event.after =
+          At(brain().nodes, event.node).*StringReader::ParameterOf(symbol);
       break;
     default:
       break;

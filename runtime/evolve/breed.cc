@@ -1,3 +1,9 @@
+// A birth as a function of (seed, generation, id) and the parents: each purpose
+// has a stream of its own (vary/rng), so whether a child is crossed does not
+// shift what its mutation draws, and children may be made in any order. What
+// parents hand down is inherit's to say. The order within a stream is part of
+// every result.
+
 #include "runtime/evolve/breed.h"
 
 #include <fmt/format.h>

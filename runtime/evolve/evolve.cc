@@ -56,6 +56,8 @@ std::vector<int> IdsOf(const std::vector<Individual>& individuals) {
   return ids;
 }
 
+// Ties go to the older one, so that the best of a run does not change for
+// nothing from generation to generation.
 std::size_t BestOf(const std::vector<Individual>& population,
                    const std::vector<int>& counts) {
   std::size_t best = 0;
@@ -109,6 +111,8 @@ class Run {
         work);
   }
 
+  // The store numbers births in the same way (store/row_checks, IdsBornIn), and
+  // finds by it which are missing.
   int FirstIdOf(int generation) const {
     return 1 + (generation == 0 ? 0
                                 : experiment_.population +

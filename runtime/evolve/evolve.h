@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "grammar/enum_names.h"
 #include "runtime/evolve/experiment.h"
 #include "runtime/evolve/generation_evaluator.h"
 #include "runtime/evolve/individual.h"
@@ -56,6 +57,10 @@ struct EvolveOptions {
 };
 
 enum class Ending : std::uint8_t { kFinished, kStopped, kFailed };
+inline constexpr EnumNames<Ending, 3> kEndingNames{
+    {{Ending::kFinished, "finished"},
+     {Ending::kStopped, "stopped"},
+     {Ending::kFailed, "failed"}}};
 
 struct RunResult {
   Ending ending = Ending::kFinished;

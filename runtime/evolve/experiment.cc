@@ -1,4 +1,11 @@
+// Keys are read one by one and then held to each other (CheckTogether), but
+// only if each was right by itself: a range that depends on a wrong number
+// would be a second error about the first. Limits are about memory and time and
+// say so. Printing writes every key, in the order of reading, and reads back to
+// an equal experiment, by which runs are known again.
+
 #include "runtime/evolve/experiment.h"
+#include "grammar/number.h"
 
 #include <fmt/format.h>
 
@@ -7,6 +14,7 @@
 #include <limits>
 
 #include "compiler/limits.h"
+#include "grammar/enum_names.h"
 #include "grammar/keywords.h"
 #include "runtime/scenario/scenario_yaml.h"
 #include "runtime/text/yaml_reader.h"
@@ -30,26 +38,21 @@ constexpr int kMaxGroups = 1000;
 
 constexpr Quantity kProbability = {Dimension::kNumber, 0, 1};
 
-const std::vector<std::string>& EncodingNames() {
-  static const std::vector<std::string> names = {"plasticoding", "baseline"};
-  return names;
-}
+constexpr EnumNames<Encoding, 2> kEncodingNames{
+    {{Encoding::kPlasticoding, "plasticoding"},
+     {Encoding::kBaseline, "baseline"}}};
 
-const std::vector<std::string>& InheritanceNames() {
-  static const std::vector<std::string> names = {"genotype", "joined",
-                                                 "senses"};
-  return names;
-}
+constexpr EnumNames<Inheritance, 3> kInheritanceNames{
+    {{Inheritance::kGenotype, "genotype"},
+     {Inheritance::kJoined, "joined"},
+     {Inheritance::kSenses, "senses"}}};
 
-const std::vector<std::string>& InsertionNames() {
-  static const std::vector<std::string> names = {"anywhere", "before_end"};
-  return names;
-}
+constexpr EnumNames<InsertionPoint, 2> kInsertionNames{
+    {{InsertionPoint::kAnywhere, "anywhere"},
+     {InsertionPoint::kBeforeEnd, "before_end"}}};
 
-const std::vector<std::string>& RemovalNames() {
-  static const std::vector<std::string> names = {"by_position", "by_value"};
-  return names;
-}
+constexpr EnumNames<Removal, 2> kRemovalNames{
+    {{Removal::kByPosition, "by_position"}, {Removal::kByValue, "by_value"}}};
 
 /// The limit that max_initial_terms has where it says no number.
 constexpr std::string_view kAsMaxTerms = "max_terms";
@@ -193,21 +196,17 @@ void ReadVariation(YamlMap& map, Experiment& experiment) {
   MutationOptions& options = experiment.variation;
   options.clause_share =
       map.Number("clause_mutation", options.clause_share, kProbability);
-  options.insertion = static_cast<InsertionPoint>(
-      map.Choice("insertion", static_cast<std::size_t>(options.insertion),
-                 InsertionNames()));
-  options.removal = static_cast<Removal>(map.Choice(
-      "removal", static_cast<std::size_t>(options.removal), RemovalNames()));
-  experiment.inheritance = static_cast<Inheritance>(map.Choice(
-      "inheritance", static_cast<std::size_t>(experiment.inheritance),
-      InheritanceNames()));
+  options.insertion =
+      map.Choice("insertion", options.insertion, kInsertionNames);
+  options.removal = map.Choice("removal", options.removal, kRemovalNames);
+  experiment.inheritance =
+      map.Choice("inheritance", experiment.inheritance, kInheritanceNames);
 }
 
 GenotypeOptions ReadGenotype(YamlMap& map) {
   GenotypeOptions options;
   const std::size_t errors = map.place().error_count();
-  options.encoding = static_cast<Encoding>(map.Choice(
-      "encoding", static_cast<std::size_t>(options.encoding), EncodingNames()));
+  options.encoding = map.Choice("encoding", options.encoding, kEncodingNames);
   DevelopmentSettings& development = options.development;
   development.iterations = map.Int("iterations", development.iterations,
                                    kMinIterations, kMaxIterations);
@@ -317,7 +316,8 @@ std::string PrintState(const State& state) {
     case StateType::kBool:
       return name;
     case StateType::kReal:
-      return fmt::format("{{{}: {}..{}}}", name, state.low, state.high);
+      return fmt::format("{{{}: {}..{}}}", name, PrintPlainNumber(state.low),
+                         PrintPlainNumber(state.high));
     case StateType::kEnum: {
       std::vector<std::string> values;
       for (const std::string& value : state.values)
@@ -330,16 +330,14 @@ std::string PrintState(const State& state) {
 
 std::string PrintVariation(const Experiment& experiment) {
   const MutationOptions& options = experiment.variation;
-  const auto name = [](const std::vector<std::string>& names, auto value) {
-    return names[static_cast<std::size_t>(value)];
-  };
   std::string text;
-  text += fmt::format("clause_mutation: {}\n", options.clause_share);
-  text +=
-      fmt::format("insertion: {}\n", name(InsertionNames(), options.insertion));
-  text += fmt::format("removal: {}\n", name(RemovalNames(), options.removal));
+  text += fmt::format("clause_mutation: {}\n",
+                      PrintPlainNumber(options.clause_share));
+  text += fmt::format("insertion: {}\n",
+                      NameIn(kInsertionNames, options.insertion));
+  text += fmt::format("removal: {}\n", NameIn(kRemovalNames, options.removal));
   text += fmt::format("inheritance: {}\n",
-                      name(InheritanceNames(), experiment.inheritance));
+                      NameIn(kInheritanceNames, experiment.inheritance));
   return text;
 }
 
@@ -350,8 +348,7 @@ std::string PrintGenotypeOptions(const GenotypeOptions& options) {
   const DevelopmentSettings& development = options.development;
   std::string text;
   text +=
-      fmt::format("encoding: {}\n",
-                  EncodingNames()[static_cast<std::size_t>(options.encoding)]);
+      fmt::format("encoding: {}\n", NameIn(kEncodingNames, options.encoding));
   text += fmt::format("iterations: {}\n", development.iterations);
   text += fmt::format("max_modules: {}\n", development.max_modules);
   text += fmt::format("move_to_new: {}\n", word(development.move_to_new));
@@ -421,14 +418,21 @@ Result<Experiment> ParseExperiment(const Source& yaml) {
   return experiment;
 }
 
+bool AreSame(const Experiment& one, const Experiment& other) {
+  Experiment there = one;
+  there.scenario_file = other.scenario_file;
+  return there == other;
+}
+
 std::string PrintExperimentKeys(const Experiment& experiment, int indent) {
   std::string text;
   text += fmt::format("robots: {}\n", PrintYamlText(experiment.robots));
   text += fmt::format("population: {}\n", experiment.population);
   text += fmt::format("offspring: {}\n", experiment.offspring);
   text += fmt::format("generations: {}\n", experiment.generations);
-  text += fmt::format("mutation: {}\n", experiment.mutation);
-  text += fmt::format("crossover: {}\n", experiment.crossover);
+  text += fmt::format("mutation: {}\n", PrintPlainNumber(experiment.mutation));
+  text +=
+      fmt::format("crossover: {}\n", PrintPlainNumber(experiment.crossover));
   text += fmt::format("tournament: {}\n", experiment.tournament);
   text += PrintVariation(experiment);
   text += PrintGenotypeOptions(experiment.genotype);

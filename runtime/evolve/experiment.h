@@ -50,6 +50,10 @@ struct Experiment {
   friend bool operator==(const Experiment&, const Experiment&) = default;
 };
 
+/// Whether a run of the one is a run of the other: equal, wherever the scenario
+/// was read from.
+bool AreSame(const Experiment& one, const Experiment& other);
+
 /// Robots that a whole run evaluates.
 inline std::int64_t Evaluations(const Experiment& experiment) {
   return experiment.population +

@@ -1,3 +1,9 @@
+// The authors' program joined active rules inside the parent's own genotype,
+// and the last season's were inherited (decision 1). It is an option here,
+// kJoined, and done on a copy: the first active rule of each symbol becomes
+// what Regulate joins of all. Collected first and put in place afterwards,
+// because joined productions may refer to rules that change.
+
 #include "runtime/evolve/inherit.h"
 
 #include <algorithm>
@@ -36,10 +42,8 @@ Genotype WithJoinedRules(Genotype genotype, const Environment& environment) {
   for (const SymbolRules& symbol : BySymbol(genotype, active)) {
     if (symbol.active.size() < 2) continue;
     std::vector<Symbol> production;
-    for (const Occurrence& occurrence :
-         active.joined[static_cast<std::size_t>(symbol.symbol)])
-      production.push_back(
-          genotype.rules[occurrence.rule].production[occurrence.position]);
+    for (const Occurrence& occurrence : active.joined[symbol.symbol])
+      production.push_back(SymbolAt(genotype, occurrence));
     grown.emplace_back(symbol.active.front(), std::move(production));
   }
   for (auto& [rule, production] : grown)

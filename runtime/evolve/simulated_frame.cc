@@ -1,3 +1,9 @@
+// Every number as eight bytes, spelled out field by field: a struct's own bytes
+// have padding, and caches outlive the compiler that laid it out. kLayout must
+// change with Simulated or Behaviour, or what an older program wrote would be
+// read as something else. Reading trusts nothing, as a frame may come from a
+// damaged cache.
+
 #include "runtime/evolve/simulated_frame.h"
 
 #include <bit>

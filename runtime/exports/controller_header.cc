@@ -1,10 +1,19 @@
+// sim/controller.cc once more, as C99 text. The expressions and the order of
+// additions are those of the simulator, so that outputs are equal bit for bit
+// where the sine is: whoever changes one must change the other, and a test
+// compiles the header and compares. Names begin with the robot's own, as
+// several may be included in one program ('@' in the texts below), and nothing
+// a user wrote can end a comment or a line (InComment).
+
 #include "runtime/exports/controller_header.h"
+#include "grammar/number.h"
 
 #include <fmt/format.h>
 
 #include <numbers>
 
 #include "runtime/exports/controller_tables.h"
+#include "runtime/scenario/scenario_physics.h"
 #include "sim/controller.h"
 
 namespace plsc {
@@ -39,7 +48,7 @@ std::string InComment(const std::string& text) {
 
 /// A constant of type double.
 std::string DoubleText(double number) {
-  const std::string text = fmt::format("{}", number == 0 ? 0.0 : number);
+  const std::string text = PrintPlainNumber(number == 0 ? 0.0 : number);
   return text.find_first_of(".e") == std::string::npos ? text + ".0" : text;
 }
 
@@ -65,9 +74,10 @@ constexpr const char* kUse = R"( *
 /// Which of the two plsc ran, and when.
 std::string Mode(const SimulationOptions& options) {
   const bool is_coupled = options.controller == ControllerMode::kCoupled;
-  std::string text = fmt::format(
-      " *\n * plsc ran `controller: {}`, which is @_{}.\n",
-      ControllerName(options.controller), is_coupled ? "update" : "oscillate");
+  std::string text =
+      fmt::format(" *\n * plsc ran `controller: {}`, which is @_{}.\n",
+                  NameIn(kControllerNames, options.controller),
+                  is_coupled ? "update" : "oscillate");
   if (options.servo.refresh == Refresh::kLate)
     text += fmt::format(
         " * It did so with `refresh: late`: not at these times but at the "

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "runtime/exports/controller_tables.h"
+#include "runtime/scenario/scenario_physics.h"
 #include "sim/controller.h"
 
 namespace plsc {
@@ -87,7 +88,7 @@ Json ControllerValue(const RobotModel& model) {
   Json edges = Json::array();
   for (const TableEdge& edge : tables.edges)
     edges.push_back(EdgeValue(tables, edge));
-  return {{"controller", ControllerName(model.options.controller)},
+  return {{"controller", NameIn(kControllerNames, model.options.controller)},
           {"joints", model.joints},
           {"inputs", tables.inputs},
           {"oscillators", std::move(oscillators)},
@@ -95,7 +96,7 @@ Json ControllerValue(const RobotModel& model) {
           {"rest_output", kRestOutput},
           {"servo",
            {{"update_rate", servo.update_rate},
-            {"refresh", RefreshName(servo.refresh)},
+            {"refresh", NameIn(kRefreshNames, servo.refresh)},
             {"range", servo.range},
             {"min_output", kMinOutput},
             {"max_output", kMaxOutput},

@@ -1,4 +1,10 @@
+// MuJoCo has planes, boxes and height fields, and so can hold all of our
+// grounds but their endlessness: hills and boxes end some metres from the
+// start, and the plane goes on below. It takes the larger friction of two
+// bodies that meet, so the ground has the robot's.
+
 #include "runtime/exports/mjcf_ground.h"
+#include "grammar/number.h"
 
 #include <fmt/format.h>
 
@@ -47,8 +53,8 @@ XmlElement Field(const ExportedGround& ground) {
   std::string heights;
   for (Eigen::Index row = ground.heights.rows() - 1; row >= 0; --row)
     for (Eigen::Index column = 0; column < ground.heights.cols(); ++column)
-      heights += fmt::format("{}{:.6g}", heights.empty() ? "" : " ",
-                             ground.heights(row, column));
+      heights += (heights.empty() ? "" : " ") +
+                 PrintRoundedNumber(ground.heights(row, column), 6);
   const std::string reach = NumberText(ground.reach);
   return {"hfield",
           {{"name", kField},

@@ -1,16 +1,16 @@
 #include "runtime/exports/number_text.h"
 
-#include <fmt/format.h>
-
 #include <Eigen/Geometry>
 #include <cmath>
+
+#include "grammar/number.h"
 
 namespace plsc {
 
 std::string NumberText(double number) {
   // m, kg, kg m2: parts have millimetres, grams and 1e-7 kg m2 at least.
   constexpr double kNothing = 1e-15;
-  return std::abs(number) < kNothing ? "0" : fmt::format("{:.15g}", number);
+  return std::abs(number) < kNothing ? "0" : PrintRoundedNumber(number, 15);
 }
 
 std::string NumbersText(const Eigen::Vector3d& numbers) {

@@ -33,7 +33,7 @@ Json BoxValue(const RobotModel& model, const Box& box) {
   return {{"name", BoxName(model, box)},
           {"module", ModuleId(body, box.module)},
           {"module_type", ModuleName(module.type)},
-          {"part", PartName(box.part)},
+          {"part", NameIn(kPartNames, box.part)},
           {"mass", box.mass},
           {"size", VectorValue(box.size)},
           {"centre", VectorValue(box.centre)},
@@ -88,28 +88,30 @@ Json SensorsValue(const RobotModel& model) {
 }
 
 Json PhysicsValue(const PhysicsOptions& physics) {
-  // All of them: a constant more is to be written, too.
-  static_assert(sizeof(PhysicsOptions) == 144);
-  const bool is_direct = physics.solver == Solver::kDirect;
-  return {{"step", physics.step},
-          {"solver", is_direct ? "direct" : "iterative"},
-          {"solver_iterations", physics.solver_iterations},
-          {"max_direct_links", physics.max_direct_links},
-          {"gravity", physics.gravity},
-          {"world_erp", physics.world_erp},
-          {"world_cfm", physics.world_cfm},
-          {"friction", physics.friction},
-          {"slip", physics.slip},
-          {"robot_kp", physics.robot_kp},
-          {"robot_kd", physics.robot_kd},
-          {"ground_kp", physics.ground_kp},
-          {"ground_kd", physics.ground_kd},
-          {"damping", physics.damping},
-          {"correcting_speed", physics.correcting_speed},
-          {"surface_layer", physics.surface_layer},
-          {"max_speed", physics.max_speed},
-          {"max_spin", physics.max_spin},
-          {"max_solver_failures", physics.max_solver_failures}};
+  // All of them: a constant more does not compile until it is written, too.
+  const auto& [step, solver, solver_iterations, max_direct_links, gravity,
+               world_erp, world_cfm, friction, slip, robot_kp, robot_kd,
+               ground_kp, ground_kd, damping, correcting_speed, surface_layer,
+               max_speed, max_spin, max_solver_failures] = physics;
+  return {{"step", step},
+          {"solver", solver == Solver::kDirect ? "direct" : "iterative"},
+          {"solver_iterations", solver_iterations},
+          {"max_direct_links", max_direct_links},
+          {"gravity", gravity},
+          {"world_erp", world_erp},
+          {"world_cfm", world_cfm},
+          {"friction", friction},
+          {"slip", slip},
+          {"robot_kp", robot_kp},
+          {"robot_kd", robot_kd},
+          {"ground_kp", ground_kp},
+          {"ground_kd", ground_kd},
+          {"damping", damping},
+          {"correcting_speed", correcting_speed},
+          {"surface_layer", surface_layer},
+          {"max_speed", max_speed},
+          {"max_spin", max_spin},
+          {"max_solver_failures", max_solver_failures}};
 }
 
 Json HeightsValue(const ExportedGround& ground) {
@@ -133,7 +135,7 @@ Json BoxesValue(const ExportedGround& ground) {
 /// The plane, and what rises from it.
 Json GroundValue(const Terrain& terrain) {
   const ExportedGround ground = GroundOf(terrain);
-  Json value{{"type", TerrainName(terrain.type)},
+  Json value{{"type", NameIn(kTerrainNames, terrain.type)},
              {"scenario", PrintTerrain(terrain)},
              {"normal", VectorValue(GroundNormal(terrain))}};
   if (ground.reach > 0) value["reach"] = ground.reach;

@@ -1,3 +1,8 @@
+// Names and sensors are given once, here, so that all formats of one robot
+// agree in them: links and joints by the ids of modules, which are the ids of
+// every other output of plsc. Link i + 1 is what hinge i moves, as Assemble has
+// it; formats rely on that (FrameOf).
+
 #include "runtime/exports/robot_model.h"
 
 #include <fmt/format.h>
@@ -8,6 +13,7 @@
 #include "runtime/exports/exported_ground.h"
 #include "runtime/life/evaluation.h"
 #include "runtime/recording/recording.h"
+#include "runtime/scenario/scenario_physics.h"
 #include "runtime/scenario/scenario_profile.h"
 
 namespace plsc {
@@ -61,7 +67,8 @@ SimulationOptions ExportedOptions() {
 }
 
 std::string BoxName(const Body& body, const Box& box) {
-  return std::string(PartName(box.part)) + "_" + ModuleId(body, box.module);
+  return std::string(NameIn(kPartNames, box.part)) + "_" +
+         ModuleId(body, box.module);
 }
 
 std::string BoxName(const RobotModel& model, const Box& box) {
@@ -90,14 +97,6 @@ std::array<double, 3> AuthorsColour(ModuleType type) {
   return {};
 }
 
-std::string_view ControllerName(ControllerMode mode) {
-  return mode == ControllerMode::kCoupled ? "coupled" : "open_loop";
-}
-
-std::string_view RefreshName(Refresh refresh) {
-  return refresh == Refresh::kExact ? "exact" : "late";
-}
-
 std::string NotesOn(const RobotModel& model) {
   const ServoOptions& servo = model.options.servo;
   const PhysicsOptions& physics = model.options.physics;
@@ -112,8 +111,9 @@ std::string NotesOn(const RobotModel& model) {
       "friction {}, in steps of {} s.",
       model.name, model.environment, servo.max_torque, servo.update_rate,
       servo.gain, servo.max_speed, servo.max_speed,
-      ControllerName(model.options.controller), GroundText(model.terrain),
-      physics.gravity, physics.friction, physics.step);
+      NameIn(kControllerNames, model.options.controller),
+      GroundText(model.terrain), physics.gravity, physics.friction,
+      physics.step);
 }
 
 }  // namespace plsc

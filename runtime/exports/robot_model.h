@@ -72,10 +72,6 @@ Eigen::Vector3d FrameOf(const Assembly& assembly, std::size_t link);
 /// Red, green, blue, 0 to 1, of the authors' 3-D models (plasticoding.py:448).
 std::array<double, 3> AuthorsColour(ModuleType type);
 
-/// As scenarios say it: "coupled" or "open_loop", "exact" or "late".
-std::string_view ControllerName(ControllerMode mode);
-std::string_view RefreshName(Refresh refresh);
-
 /// What every file tells its reader: whose robot, units, frame, ground and
 /// physics, and how plsc drives the servos. A few lines without an end.
 std::string NotesOn(const RobotModel& model);

@@ -5,6 +5,8 @@
 #include <cassert>
 #include <cstddef>
 
+#include "grammar/number.h"
+
 namespace plsc {
 
 namespace {
@@ -109,7 +111,7 @@ std::string Oscillators(const Brain& brain) {
 }  // namespace
 
 std::string YamlFloat(double number) {
-  std::string text = fmt::format("{}", number);
+  std::string text = PrintPlainNumber(number);
   const std::size_t exponent = text.find('e');
   if (text.find('.') == std::string::npos)
     text.insert(exponent == std::string::npos ? text.size() : exponent, ".0");

@@ -251,7 +251,7 @@ XmlElement Physics(const PhysicsOptions& physics) {
 XmlElement WorldElement(const RobotModel& model) {
   const PhysicsOptions& physics = model.options.physics;
   return {"world",
-          {{"name", TerrainName(model.terrain.type)}},
+          {{"name", std::string(NameIn(kTerrainNames, model.terrain.type))}},
           {Physics(physics),
            XmlText("gravity", "0 0 " + NumberText(-physics.gravity)),
            Plugin("physics", "Physics"),

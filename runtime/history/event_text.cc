@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "compiler/print.h"
+#include "grammar/number.h"
 #include "runtime/develop/part_names.h"
 
 namespace plsc {

@@ -1,7 +1,12 @@
+// Everything that the page points at is an index into what it is drawn from:
+// rules and symbols by their spans in the text, insertions by number, parts of
+// the robot by the symbol that made them. So the page itself knows no grammar;
+// what is not linked here cannot be highlighted there.
+
 #include "runtime/history/explain_json.h"
 
-#include <filesystem>
 #include <nlohmann/json.hpp>
+#include <string_view>
 #include <utility>
 
 #include "compiler/print.h"
@@ -38,9 +43,9 @@ Json GenotypeRuleJson(const ExplainedRobot& robot, std::size_t index) {
   for (std::size_t i = 0; i < rule.production.size(); ++i)
     symbols.push_back(
         {{"text", PrintSymbol(rule.production[i], *genotype.alphabet)},
-         {"name", (*genotype.alphabet)[rule.production[i].id].name},
+         {"name", genotype.SymbolOf(rule.production[i].id).name},
          {"span", SpanJson(spans.symbols[i])}});
-  return {{"head", (*genotype.alphabet)[rule.head].name},
+  return {{"head", genotype.SymbolOf(rule.head).name},
           {"line", robot.source.PositionOf(spans.rule.begin).line},
           {"span", SpanJson(spans.rule)},
           {"terms", std::move(terms)},
@@ -211,6 +216,11 @@ Json EnvironmentOf(const ExplainedRobot& robot,
           {"edges", EdgesJson(trace)}};
 }
 
+// Pages are passed on; folders are nobody else's business.
+std::string_view WithoutFolders(std::string_view path) {
+  return path.substr(path.rfind('/') + 1);  // npos + 1 is 0
+}
+
 Json RobotJson(const ExplainedRobot& robot) {
   Json rules = Json::array();
   for (std::size_t i = 0; i < robot.genotype.rules.size(); ++i)
@@ -218,14 +228,12 @@ Json RobotJson(const ExplainedRobot& robot) {
   Json environments = Json::array();
   for (const ExplainedEnvironment& one : robot.environments)
     environments.push_back(EnvironmentOf(robot, one));
-  return {
-      {"title", robot.title},
-      // Pages are passed on; folders are nobody else's business.
-      {"file", std::filesystem::path(robot.source.name()).filename().string()},
-      {"text", robot.source.text()},
-      {"axiom", (*robot.genotype.alphabet)[robot.genotype.axiom].name},
-      {"rules", std::move(rules)},
-      {"environments", std::move(environments)}};
+  return {{"title", robot.title},
+          {"file", WithoutFolders(robot.source.name())},
+          {"text", robot.source.text()},
+          {"axiom", robot.genotype.SymbolOf(robot.genotype.axiom).name},
+          {"rules", std::move(rules)},
+          {"environments", std::move(environments)}};
 }
 
 Json ColoursJson() {

@@ -80,7 +80,7 @@ Json RuleJson(const HistoryView& view, RuleIndex index) {
                      {"place", PlaceJson(view.source, spans.terms[i])}});
   }
   return {{"rule", index + 1},
-          {"head", (*view.genotype.alphabet)[rule.head].name},
+          {"head", view.genotype.SymbolOf(rule.head).name},
           {"clause", rule.clause.is_always()
                          ? Json(nullptr)
                          : Json(PrintClause(rule.clause, view.genotype))},

@@ -26,12 +26,11 @@ std::string RegulationText(const HistoryView& view) {
   for (std::size_t i = 0; i < genotype.rules.size(); ++i) {
     const Rule& rule = genotype.rules[i];
     const bool holds = ClauseHolds(rule.clause, view.environment.values);
-    text +=
-        fmt::format("  {} {} ({}), {}\n", holds ? "active    " : "not active",
-                    fmt::format("rule {} of {}", i + 1,
-                                (*genotype.alphabet)[rule.head].name),
-                    ClauseText(genotype, rule.clause),
-                    PlaceText(view.source, view.map.rules[i].rule));
+    text += fmt::format(
+        "  {} {} ({}), {}\n", holds ? "active    " : "not active",
+        fmt::format("rule {} of {}", i + 1, genotype.SymbolOf(rule.head).name),
+        ClauseText(genotype, rule.clause),
+        PlaceText(view.source, view.map.rules[i].rule));
   }
   return text;
 }
@@ -83,7 +82,7 @@ std::string TermsText(const HistoryView& view, const Occurrence& occurrence) {
 
 std::string RuleText(const Genotype& genotype, RuleIndex rule) {
   return fmt::format("rule {} ({}, {})", rule + 1,
-                     (*genotype.alphabet)[genotype.rules[rule].head].name,
+                     genotype.SymbolOf(genotype.rules[rule].head).name,
                      ClauseText(genotype, genotype.rules[rule].clause));
 }
 

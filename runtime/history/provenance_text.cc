@@ -36,7 +36,7 @@ std::string AbsenceText(const HistoryView& view, RuleIndex rule) {
   if (is_head_replaced)
     return "left out, as the first active rule of C brings the core";
   return fmt::format("no rewriting meets a {}, so {} is never used",
-                     (*view.genotype.alphabet)[head].name,
+                     view.genotype.SymbolOf(head).name,
                      RuleText(view.genotype, rule));
 }
 

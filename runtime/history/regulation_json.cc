@@ -48,12 +48,10 @@ std::string RegulationJson(const Genotype& genotype,
   for (const SymbolRules& symbol : BySymbol(genotype, active)) {
     Json entry;
     entry["rules"] = Numbers(symbol.active);
-    const auto index = static_cast<std::size_t>(symbol.symbol);
     if (!symbol.active.empty()) entry["joined"] = Json::array();
-    for (const Occurrence& occurrence : active.joined[index])
+    for (const Occurrence& occurrence : active.joined[symbol.symbol])
       entry["joined"].push_back(SymbolJson(genotype, occurrence));
-    json["symbols"][(*genotype.alphabet)[symbol.symbol].name] =
-        std::move(entry);
+    json["symbols"][genotype.SymbolOf(symbol.symbol).name] = std::move(entry);
   }
   return json.dump();
 }
@@ -66,8 +64,7 @@ std::string RegulationRowJson(const Genotype& genotype, const StateSpace& space,
   json["genotype"] = genotype.name;
   json["when"] = Json::object();
   for (std::size_t i = 0; i < space.states().size(); ++i) {
-    const State& state =
-        genotype.states[static_cast<std::size_t>(space.states()[i])];
+    const State& state = genotype.StateOf(space.states()[i]);
     json["when"][state.name] =
         ClassJson(space.classes(i)[space.ClassAt(index, i)], state);
   }
@@ -75,7 +72,7 @@ std::string RegulationRowJson(const Genotype& genotype, const StateSpace& space,
   json["active_rules"] = Numbers(active.rules);
   json["symbols"] = Json::object();
   for (const SymbolRules& symbol : BySymbol(genotype, active))
-    json["symbols"][(*genotype.alphabet)[symbol.symbol].name] =
+    json["symbols"][genotype.SymbolOf(symbol.symbol).name] =
         Numbers(symbol.active);
   return json.dump();
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "compiler/print.h"
+#include "runtime/develop/part_names.h"
 #include "runtime/develop/regulate.h"
 #include "runtime/text/aligned_rows.h"
 
@@ -24,12 +25,10 @@ std::string Numbers(const std::vector<RuleIndex>& rules) {
 
 std::string JoinedText(const Genotype& genotype, const ActiveRules& active,
                        SymbolId symbol) {
-  const auto joined = active.joined[static_cast<std::size_t>(symbol)];
+  const auto joined = active.joined[symbol];
   if (joined.empty()) return "stays";
   std::string text = "->";
-  for (const Occurrence& o : joined)
-    text += ' ' + PrintSymbol(genotype.rules[o.rule].production[o.position],
-                              *genotype.alphabet);
+  for (const Occurrence& o : joined) text += ' ' + SymbolText(genotype, o);
   return text;
 }
 
@@ -47,7 +46,7 @@ std::string RegulationText(const Genotype& genotype,
                       genotype.rules.size());
   std::vector<Row> rows;
   for (const SymbolRules& symbol : BySymbol(genotype, active))
-    rows.push_back({(*genotype.alphabet)[symbol.symbol].name,
+    rows.push_back({genotype.SymbolOf(symbol.symbol).name,
                     Numbers(symbol.active),
                     JoinedText(genotype, active, symbol.symbol)});
   return rows.empty() ? text : text + AlignedRows(rows);
@@ -56,16 +55,15 @@ std::string RegulationText(const Genotype& genotype,
 std::string RegulationTable(const Genotype& genotype, const StateSpace& space) {
   std::vector<Row> rows(1);
   for (const StateId id : space.states())
-    rows[0].push_back(genotype.states[static_cast<std::size_t>(id)].name);
+    rows[0].push_back(genotype.StateOf(id).name);
   for (const SymbolRules& symbol : BySymbol(genotype, {}))
-    rows[0].push_back((*genotype.alphabet)[symbol.symbol].name);
+    rows[0].push_back(genotype.SymbolOf(symbol.symbol).name);
   if (rows[0].empty()) return "no rules\n";
   for (int i = 0; i < *space.size(); ++i) {
     Row row;
     for (std::size_t s = 0; s < space.states().size(); ++s)
-      row.push_back(ClassLabel(
-          space.classes(s)[space.ClassAt(i, s)],
-          genotype.states[static_cast<std::size_t>(space.states()[s])]));
+      row.push_back(ClassLabel(space.classes(s)[space.ClassAt(i, s)],
+                               genotype.StateOf(space.states()[s])));
     const ActiveRules active = Regulate(genotype, {space.At(i)});
     for (const SymbolRules& symbol : BySymbol(genotype, active))
       row.push_back(Numbers(symbol.active));
@@ -83,7 +81,7 @@ std::string RuleLegend(const MappedProgram& compiled, const Source& source) {
                                    ? "always"
                                    : "if " + PrintClause(rule.clause, genotype);
     text += fmt::format(
-        "{}: {} {} (line {})\n", i + 1, (*genotype.alphabet)[rule.head].name,
+        "{}: {} {} (line {})\n", i + 1, genotype.SymbolOf(rule.head).name,
         clause, source.PositionOf(compiled.map.rules[i].rule.begin).line);
   }
   return text;

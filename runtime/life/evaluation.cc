@@ -1,3 +1,14 @@
+// A life, season by season: sense, develop, simulate, measure. Seasons of
+// independent lives are strangers to each other; in a continuous life the same
+// body is carried over the change of ground if the very same robot develops
+// again, and otherwise the new body is put down where the old one was, with its
+// heading and the oscillators' time. What ends such a life (no robot, an
+// outcome other than completed) leaves all later seasons unreached, which is
+// their outcome and not a fitness of 0.
+//
+// LifePlanner does the same from answers, season by season; whatever is changed
+// in one must be changed in the other, and tests compare them bit for bit.
+
 #include "runtime/life/evaluation.h"
 
 #include <fmt/format.h>

@@ -28,6 +28,7 @@
 #include <numbers>
 #include <utility>
 
+#include "runtime/develop/developed.h"
 #include "runtime/develop/phenotype_json.h"
 #include "runtime/life/evaluation.h"
 #include "runtime/life/season_developer.h"
@@ -57,13 +58,8 @@ bool IsContinuous(const Scenario& scenario) {
   return scenario.lives == Lives::kContinuous;
 }
 
-Key KeyOfPhenotype(const std::string& body, const std::string& brain) {
-  return KeyOf(body + '\n' + brain);
-}
-
-Key KeyOfPhenotype(const std::optional<Phenotype>& robot) {
-  if (!robot) return {};
-  return KeyOfPhenotype(BodyJson(robot->body), BrainJson(*robot));
+Key KeyIfAny(const std::optional<Phenotype>& robot) {
+  return robot ? RobotKey(*robot) : Key{};
 }
 
 /// What could develop in each season if this were felt wherever the IMU is
@@ -79,7 +75,7 @@ std::vector<std::string> RobotsFeeling(double inclination,
     std::optional<double> felt;
     if (asks_imu) felt = inclination;
     robots.push_back((asks_imu ? " felt " : " told ") +
-                     Hex(KeyOfPhenotype(seasons.Next(0, felt).robot)));
+                     Hex(KeyIfAny(seasons.Next(0, felt).robot)));
   }
   return robots;
 }
@@ -136,7 +132,7 @@ std::vector<LifePiece> LifePlanner::PlanSeasons(const Genotype& genotype,
         seasons.Next(0, asks_imu ? inclinations_[i] : std::nullopt);
     if (developed.robot)
       pieces.push_back(
-          {i, {KeyOfSeason(i, asks_imu, KeyOfPhenotype(developed.robot))}});
+          {i, {KeyOfSeason(i, asks_imu, RobotKey(*developed.robot))}});
   }
   return pieces;
 }
@@ -218,7 +214,7 @@ EvaluatedLife LifePlanner::Assemble(
         result = Complete(std::move(result), *simulated[i]);
         evidence.body = BodyJson(developed.robot->body);
         evidence.brain = BrainJson(*developed.robot);
-        evidence.phenotype = KeyOfPhenotype(evidence.body, evidence.brain);
+        evidence.phenotype = RobotKey(evidence.body, evidence.brain);
       }
     }
     if (simulated[i]) evidence.simulated = *simulated[i];

@@ -1,3 +1,9 @@
+// What is sensed in a season follows from the scenario but for one thing: in a
+// continuous life the ground may feel otherwise where the robot has come to. On
+// level ground it cannot; elsewhere both answers are possible, and
+// PossibleEnvironments has both, by way of an inclination of nothing and one
+// beyond every threshold.
+
 #include "runtime/life/season_environments.h"
 
 #include <cstddef>

@@ -22,7 +22,7 @@ Json SensedJson(const std::vector<SensedState>& sensed,
   for (const SensedState& state : sensed)
     json[state.name] = {
         {"value", SensedValueJson(state.name, state.value, states)},
-        {"from", SenseSourceName(state.from)}};
+        {"from", NameIn(kSenseSourceNames, state.from)}};
   return json;
 }
 
@@ -32,12 +32,12 @@ std::string SeasonJson(const Genotype& genotype, const SeasonResult& result) {
   Json json;
   json["genotype"] = genotype.name;
   json["season"] = result.season;
-  json["profile"] = ProfileName(result.profile);
+  json["profile"] = NameIn(kProfileNames, result.profile);
   json["begin"] = result.begin;
   json["sensed"] = SensedJson(result.sensed, genotype.states);
   json["inclination"] =
       result.inclination ? Json(*result.inclination) : Json(nullptr);
-  json["change"] = ChangeName(result.change);
+  json["change"] = NameIn(kChangeNames, result.change);
   json["change_reason"] = result.change_reason;
   json["outcome"] = OutcomeName(result.outcome);
   json["reason"] = result.reason;

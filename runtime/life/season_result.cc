@@ -1,3 +1,8 @@
+// The fitness of a season as the authors' program has it (fitness.py:65-81;
+// paper, "Fitness function"), in m/s. -0.1 is far below what any robot loses by
+// sliding, so that those that cannot move, or do not, come last; going
+// backwards counts a tenth.
+
 #include "runtime/life/season_result.h"
 
 #include <cassert>
@@ -15,37 +20,9 @@ constexpr double kBackwardShare = 0.1;
 
 }  // namespace
 
-std::string_view ChangeName(Change change) {
-  switch (change) {
-    case Change::kBorn:
-      return "born";
-    case Change::kNone:
-      return "none";
-    case Change::kBrain:
-      return "brain";
-    case Change::kBody:
-      return "body";
-  }
-  assert(false);
-  return "";
-}
-
 double SeasonFitness(double speed, int hinge_count) {
   if (hinge_count == 0 || speed == 0) return kMotionless;
   return speed > 0 ? speed : speed * kBackwardShare;
-}
-
-std::string_view SenseSourceName(SenseSource source) {
-  switch (source) {
-    case SenseSource::kSeason:
-      return "season";
-    case SenseSource::kImu:
-      return "imu";
-    case SenseSource::kParent:
-      return "parent";
-  }
-  assert(false);
-  return "";
 }
 
 }  // namespace plsc

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "grammar/enum_names.h"
 #include "runtime/develop/descriptors.h"
 #include "runtime/scenario/scenario.h"
 #include "sim/measures.h"
@@ -24,8 +25,10 @@ enum class SenseSource : std::uint8_t {
   kParent,  ///< inherited: what its first parent sensed last
 };
 
-/// "season", "imu", "parent".
-std::string_view SenseSourceName(SenseSource source);
+inline constexpr EnumNames<SenseSource, 3> kSenseSourceNames{
+    {{SenseSource::kSeason, "season"},
+     {SenseSource::kImu, "imu"},
+     {SenseSource::kParent, "parent"}}};
 
 /// Values of states by name, as a clause writes them.
 using Senses = std::map<std::string, std::string>;
@@ -47,8 +50,10 @@ enum class Change : std::uint8_t {
   kBody,   ///< another body
 };
 
-/// "born", "none", "brain", "body".
-std::string_view ChangeName(Change change);
+inline constexpr EnumNames<Change, 4> kChangeNames{{{Change::kBorn, "born"},
+                                                    {Change::kNone, "none"},
+                                                    {Change::kBrain, "brain"},
+                                                    {Change::kBody, "body"}}};
 
 struct SeasonResult {
   std::string season;

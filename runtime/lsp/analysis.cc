@@ -1,3 +1,8 @@
+// Everything about one version of a text, made at the first question and kept
+// until the text changes. After a keystroke a client asks for diagnostics at
+// once and for the rest when the user looks; most versions live for a tenth of
+// a second and are never asked for more.
+
 #include "runtime/lsp/analysis.h"
 
 #include <algorithm>

@@ -9,7 +9,7 @@
 #include <unordered_set>
 #include <utility>
 
-#include "compiler/print.h"
+#include "grammar/number.h"
 #include "runtime/lsp/chosen_environment.h"
 #include "runtime/lsp/completion_context.h"
 #include "runtime/lsp/descriptions.h"
@@ -186,7 +186,7 @@ class Completer {
   const State* Subject() const {
     const auto id = section_.scope.FindState(context_.subject);
     if (!id) return nullptr;
-    return &section_.scope.header.states[static_cast<std::size_t>(*id)];
+    return &section_.scope.header.StateOf(*id);
   }
 
   void AddComparisons() {

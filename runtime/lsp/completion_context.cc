@@ -1,3 +1,9 @@
+// What may stand at the cursor, by the words before it since the last item's
+// keyword. The grammar would not help: an item that is being typed fails at the
+// cursor by definition. Words are enough because the language is LL(1): the
+// last one or two words, the open braces and the item's keyword decide what is
+// next. Nothing is said where the cursor touches a comment or a number.
+
 #include "runtime/lsp/completion_context.h"
 
 #include <algorithm>

@@ -10,6 +10,7 @@
 #include "compiler/print.h"
 #include "compiler/state_space.h"
 #include "compiler/truth.h"
+#include "grammar/number.h"
 
 namespace plsc::lsp {
 
@@ -60,9 +61,8 @@ std::string TruthRow(const Clause& clause, const StateSpace& space, int index,
                      const std::vector<State>& states) {
   std::string row = "|";
   for (std::size_t s = 0; s < space.states().size(); ++s) {
-    std::string label =
-        ClassLabel(space.classes(s)[space.ClassAt(index, s)],
-                   states[static_cast<std::size_t>(space.states()[s])]);
+    std::string label = ClassLabel(space.classes(s)[space.ClassAt(index, s)],
+                                   StateAt(states, space.states()[s]));
     // A bar would end the cell.
     for (std::size_t at = 0; (at = label.find('|', at)) != std::string::npos;)
       label.replace(at, 1, ", ");
@@ -126,7 +126,7 @@ std::string TruthMarkdown(const Clause& clause,
   std::string text = "|";
   std::string rule = "|";
   for (const StateId id : space.states()) {
-    text += fmt::format(" {} |", states[static_cast<std::size_t>(id)].name);
+    text += fmt::format(" {} |", StateAt(states, id).name);
     rule += "---|";
   }
   text += " active |\n" + rule + "---|\n";

@@ -1,11 +1,17 @@
+// Headers and bodies from bytes that come in any portions. What was handed out
+// is dropped only when it is most of the memory, else a flood of small messages
+// would move the rest once a message. After a header that cannot be read the
+// next beginning is unknown, so the stream is broken for good.
+
 #include "runtime/lsp/framing.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
 #include <utility>
+
+#include "grammar/number.h"
 
 namespace plsc::lsp {
 
@@ -97,11 +103,10 @@ std::string FrameReader::ReadHeaderLine(std::string_view line) {
   // Content-Type says what is always so (UTF-8); others are for others.
   if (!EqualsIgnoringCase(name, "Content-Length")) return "";
   const std::string_view value = Trimmed(line.substr(colon + 1));
-  const auto [end, error] =
-      std::from_chars(value.data(), value.data() + value.size(), length_);
-  if (error != std::errc() || end != value.data() + value.size() ||
-      length_ > kMaxBodyBytes)
+  const auto length = ParseNumber<std::size_t>(value);
+  if (!length || *length > kMaxBodyBytes)
     return fmt::format("expected a Content-Length of 0 to {}", kMaxBodyBytes);
+  length_ = *length;
   has_length_ = true;
   return "";
 }

@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "compiler/lower.h"
-#include "compiler/print.h"
 #include "grammar/keywords.h"
+#include "grammar/number.h"
 #include "runtime/lsp/chosen_environment.h"
 #include "runtime/lsp/descriptions.h"
 #include "runtime/lsp/keyword_docs.h"
@@ -81,8 +81,7 @@ class Describer {
   std::string OfState() const {
     const auto id = section_.scope.FindState(mention_.name);
     if (!id) return "";
-    return DescribeState(
-        section_.scope.header.states[static_cast<std::size_t>(*id)]);
+    return DescribeState(section_.scope.header.StateOf(*id));
   }
 
   std::string OfConstant() const {
@@ -123,7 +122,7 @@ Found ArgumentAt(const Section& section, std::uint32_t offset) {
     const ast::Symbol& symbol = file.symbols[i];
     const auto& id = section.resolution.symbols[i];
     if (!Covers(symbol.span, offset) || !id) continue;
-    const SymbolInfo& info = (*section.scope.header.alphabet)[*id];
+    const SymbolInfo& info = section.scope.header.SymbolOf(*id);
     const auto arguments = Slice(file.arguments, symbol.arguments);
     for (std::size_t a = 0; a < arguments.size(); ++a)
       if (Covers(arguments[a].span, offset) && a < info.parameters.size())

@@ -1,7 +1,16 @@
+// A client counts UTF-16 units in a line, we count bytes. Both ways are one
+// binary search for the line and one for a mark: every kMarkDistance bytes the
+// number of units before it is kept, so that a question counts within half a
+// kilobyte, also in a line of megabytes. Bytes that are no UTF-8 count as a
+// character each, and every place that a client may name is brought inside of
+// the text.
+
 #include "runtime/lsp/line_table.h"
 
 #include <algorithm>
 #include <iterator>
+
+#include "grammar/utf8.h"
 
 namespace plsc::lsp {
 
@@ -9,18 +18,13 @@ namespace {
 
 constexpr std::uint32_t kMarkDistance = 512;
 
-// Bytes 10xxxxxx continue a UTF-8 character.
-bool Continues(char c) {
-  return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U;
-}
-
-struct Character {
+struct Units {
   std::uint32_t bytes = 1;
   std::uint32_t units = 1;
 };
 
 // The character that begins the text.
-Character FirstOf(std::string_view text) {
+Units FirstOf(std::string_view text) {
   const auto lead = static_cast<unsigned char>(text[0]);
   std::uint32_t wanted = 1;
   if (lead >= 0xF0U)
@@ -30,8 +34,7 @@ Character FirstOf(std::string_view text) {
   else if (lead >= 0xC0U)
     wanted = 2;
   std::uint32_t bytes = 1;
-  while (bytes < wanted && bytes < text.size() && Continues(text[bytes]))
-    ++bytes;
+  while (bytes < wanted && bytes < text.size() && GoesOn(text[bytes])) ++bytes;
   // Only characters beyond U+FFFF, those of four bytes, take two units.
   return {bytes, bytes == 4 ? 2U : 1U};
 }
@@ -41,7 +44,7 @@ Character FirstOf(std::string_view text) {
 std::uint32_t Utf16Length(std::string_view text) {
   std::uint32_t units = 0;
   while (!text.empty()) {
-    const Character first = FirstOf(text);
+    const Units first = FirstOf(text);
     units += first.units;
     text.remove_prefix(first.bytes);
   }
@@ -61,7 +64,7 @@ LineTable::LineTable(std::string_view text) : text_(text), begins_{0} {
   while (at.offset < text.size()) {
     if (marks_.empty() || at.offset - marks_.back().offset >= kMarkDistance)
       marks_.push_back(at);
-    const Character next = FirstOf(text.substr(at.offset));
+    const Units next = FirstOf(text.substr(at.offset));
     at.offset += next.bytes;
     at.units += next.units;
   }
@@ -126,7 +129,7 @@ std::uint32_t LineTable::OffsetAt(Place place) const {
     at = mark.offset;
   }
   while (at < end) {
-    const Character next = FirstOf(text_.substr(at, end - at));
+    const Units next = FirstOf(text_.substr(at, end - at));
     if (units + next.units > place.character) break;
     units += next.units;
     at += next.bytes;

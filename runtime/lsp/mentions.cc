@@ -1,3 +1,10 @@
+// One walk over the trees collects every name with what it names and where that
+// is declared; definition, references, highlights, rename and colours are then
+// questions to a sorted list. Scopes answer what they know (states, constants);
+// the rest is looked up in tables of this section. A name in what several
+// genotypes share is collected once a section and kept once: it may mean
+// something else in each, and a client can show one answer.
+
 #include "runtime/lsp/mentions.h"
 
 #include <algorithm>

@@ -1,3 +1,8 @@
+// Which names must change is a question to the list of mentions. Whether they
+// may is asked of the compiler: the changed text is compiled before any edit is
+// handed out, since whatever makes a new name clash, in any section, is an
+// error there. A list of reasons of our own would be incomplete.
+
 #include "runtime/lsp/rename.h"
 
 #include <fmt/format.h>

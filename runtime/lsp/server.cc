@@ -1,3 +1,10 @@
+// One message in, all answers out; what takes long waits for Idle, in which one
+// document is published or one genotype linted at a time. A client that types
+// faster than we compile sends several messages before the next Idle, and only
+// the last text is looked at. Nothing a client sends ends the server: faults
+// become answers or messages, and requests are answered in order, so there is
+// nothing to cancel.
+
 #include "runtime/lsp/server.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,7 @@
+// A formatted text as one edit of the lines between the common beginning and
+// the common end. An edit of everything would be right, and throw the editor's
+// cursor, folds and marks away.
+
 #include "runtime/lsp/text_edits.h"
 
 #include <algorithm>

@@ -8,6 +8,7 @@
 #include <set>
 #include <utility>
 
+#include "grammar/enum_names.h"
 #include "runtime/pictures/body_shapes.h"
 #include "runtime/pictures/svg_panels.h"
 #include "runtime/pictures/svg_style.h"
@@ -67,9 +68,13 @@ std::string BarIcon() {
 }
 
 std::string_view LongName(ModuleType type) {
-  constexpr std::array<std::string_view, 5> kNames{
-      "core", "brick", "vertical joint", "horizontal joint", "touch sensor"};
-  return kNames[static_cast<std::size_t>(type)];
+  constexpr EnumNames<ModuleType, 5> kNames{
+      {{ModuleType::kCore, "core"},
+       {ModuleType::kBrick, "brick"},
+       {ModuleType::kVerticalJoint, "vertical joint"},
+       {ModuleType::kHorizontalJoint, "horizontal joint"},
+       {ModuleType::kTouchSensor, "touch sensor"}}};
+  return NameIn(kNames, type);
 }
 
 bool Has(const std::vector<DrawnBody>& bodies, ModuleType type) {

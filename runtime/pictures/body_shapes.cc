@@ -1,3 +1,9 @@
+// Squares first, then outlines, dots and sensors, as what comes later lies
+// above: dots stand on borders and sensors inside cells. What differs is marked
+// by lines and not by colours alone, so that it is seen in print and by those
+// who do not see colours; a missing part is dotted in its old place unless
+// something else is there.
+
 #include "runtime/pictures/body_shapes.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,8 @@
+// Two layers are all there is: edges lead from inputs to oscillators, or back
+// to their own node. So there is nothing to optimise, and nodes are put in the
+// order of their modules instead of one with fewer crossings: the same brain
+// looks the same in every environment, and differences are seen where they are.
+
 #include "runtime/pictures/brain_layout.h"
 
 #include <algorithm>

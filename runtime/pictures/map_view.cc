@@ -1,3 +1,8 @@
+// Ground below a path, drawn only where it can be told apart: what is smaller
+// than some pixels on the picture is left out, as it would be a grey of
+// millions of elements. Boxes are cut to the picture, because steps go on for a
+// kilometre and viewers lose precision there.
+
 #include "runtime/pictures/map_view.h"
 
 #include <fmt/format.h>

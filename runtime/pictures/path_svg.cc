@@ -1,3 +1,9 @@
+// Seasons side by side at one scale, so that ways can be compared by eye,
+// unless that would make one a speck: then each has its own, as its bar says. A
+// path is drawn as pieces of one tone each from light to dark, which shows its
+// direction without arrows and in print; points closer than a pixel are left
+// out, so that a robot that trembles for an hour is not a megabyte.
+
 #include "runtime/pictures/path_svg.h"
 
 #include <fmt/format.h>
@@ -9,10 +15,11 @@
 #include <numbers>
 #include <vector>
 
+#include "grammar/utf8.h"
 #include "runtime/pictures/map_view.h"
 #include "runtime/pictures/svg_style.h"
 #include "runtime/pictures/top_view.h"
-#include "runtime/text/utf8.h"
+#include "runtime/text/quantity.h"
 #include "runtime/text/xml.h"
 
 namespace plsc {
@@ -207,7 +214,6 @@ std::string ArrowSvg(const Terrain& terrain, const MapView& view) {
 }
 
 std::string HeadingSvg(const RecordedSeason& season, const MapView& view) {
-  constexpr double kCentimetres = 100;  // the paper's unit of Speed
   std::string fate =
       season.speed
           ? fmt::format("{}, speed {:.2f} cm/s", OutcomeName(season.outcome),

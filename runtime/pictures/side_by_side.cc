@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "runtime/text/utf8.h"
+#include "grammar/utf8.h"
 
 namespace plsc {
 
@@ -20,7 +20,7 @@ Block SplitLines(const std::string& text) {
   for (std::size_t at = 0; at < text.size();) {
     const std::size_t end = std::min(text.find('\n', at), text.size());
     block.lines.push_back(text.substr(at, end - at));
-    block.width = std::max(block.width, LettersOf(block.lines.back()));
+    block.width = std::max(block.width, CountCharacters(block.lines.back()));
     at = end + 1;
   }
   return block;
@@ -39,7 +39,8 @@ std::string RowText(const std::vector<Block>& blocks, std::size_t begin,
       const Block& block = blocks[i];
       const std::string part =
           line < block.lines.size() ? block.lines[line] : std::string();
-      whole += part + std::string(block.width - LettersOf(part) + kGap, ' ');
+      whole +=
+          part + std::string(block.width - CountCharacters(part) + kGap, ' ');
     }
     whole.erase(whole.find_last_not_of(' ') + 1);
     text += whole + '\n';

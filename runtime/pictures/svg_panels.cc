@@ -1,3 +1,8 @@
+// Pictures in rows with titles and a legend, laid out without asking any font:
+// nobody knows which one the viewer has, so widths are estimated for a wide one
+// (kLetter) and what is too long is cut. Too much space is the error that is
+// left. Whole pixels everywhere, so that the bytes do not depend on rounding.
+
 #include "runtime/pictures/svg_panels.h"
 
 #include <fmt/format.h>
@@ -6,7 +11,7 @@
 #include <cmath>
 #include <iterator>
 
-#include "runtime/text/utf8.h"
+#include "grammar/utf8.h"
 #include "runtime/text/xml.h"
 
 namespace plsc {
@@ -32,8 +37,8 @@ constexpr int kSubtitleSize = 14;
 constexpr int kLegendSize = 15;
 
 int TextWidth(const std::string& text, int size) {
-  return static_cast<int>(
-             std::ceil(static_cast<double>(LettersOf(text)) * kLetter * size)) +
+  return static_cast<int>(std::ceil(static_cast<double>(CountCharacters(text)) *
+                                    kLetter * size)) +
          1;
 }
 

@@ -1,3 +1,9 @@
+// What is seen from straight above, without a third dimension: each box's
+// shadow is the convex hull of its eight corners (Andrew's monotone chain,
+// 1979), and shadows are painted from the lowest centre to the highest. That is
+// not exact where boxes lean into each other, and right for parts that do not
+// intersect and are small.
+
 #include "runtime/pictures/top_view.h"
 
 #include <Eigen/Geometry>

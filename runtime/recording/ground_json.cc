@@ -1,3 +1,9 @@
+// Relief for pages that must not need our noise functions: numbers around the
+// robot's path, no farther than the eye goes. Grids are as fine as the ground's
+// wavelength asks for and no finer than kMaxHeights allows, boxes are cut to
+// the extent, and what would be too many is shown in part: a picture may be
+// coarse, a file of a gigabyte may not be.
+
 #include "runtime/recording/ground_json.h"
 
 #include <algorithm>

@@ -79,23 +79,4 @@ Eigen::Matrix3Xd MassCentres(const RecordedSeason& season) {
   return samples > 0 ? Eigen::Matrix3Xd(centres / mass) : centres;
 }
 
-std::string_view PartName(Part part) {
-  switch (part) {
-    case Part::kCore:
-      return "core";
-    case Part::kBrick:
-      return "brick";
-    case Part::kFrame:
-      return "frame";
-    case Part::kServo:
-      return "servo";
-    case Part::kPlate:
-      return "plate";
-    case Part::kSensor:
-      return "sensor";
-  }
-  assert(false);
-  return "";
-}
-
 }  // namespace plsc

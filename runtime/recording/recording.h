@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "grammar/enum_names.h"
 #include "runtime/life/evaluation.h"
 #include "sim/modules.h"
 #include "sim/pose_recorder.h"
@@ -84,6 +85,11 @@ RecordedSeason RecordSeason(const Season& season, const SeasonLife& life,
 Eigen::Matrix3Xd MassCentres(const RecordedSeason& season);
 
 /// "core", "brick", "frame", "servo", "plate", "sensor".
-std::string_view PartName(Part part);
+inline constexpr EnumNames<Part, 6> kPartNames{{{Part::kCore, "core"},
+                                                {Part::kBrick, "brick"},
+                                                {Part::kFrame, "frame"},
+                                                {Part::kServo, "servo"},
+                                                {Part::kPlate, "plate"},
+                                                {Part::kSensor, "sensor"}}};
 
 }  // namespace plsc

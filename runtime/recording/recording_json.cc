@@ -24,7 +24,7 @@ Json OptionalJson(const std::optional<double>& number) {
 
 Json TerrainJson(const Terrain& terrain) {
   Json json;
-  json["type"] = TerrainName(terrain.type);
+  json["type"] = NameIn(kTerrainNames, terrain.type);
   // Seeds as text: many readers' numbers end at 2^53.
   switch (terrain.type) {
     case TerrainType::kFlat:
@@ -59,7 +59,7 @@ Json LinkJson(const RecordedLink& link) {
   json["boxes"] = Json::array();
   for (const RecordedBox& box : link.boxes)
     json["boxes"].push_back({{"module", box.module},
-                             {"part", PartName(box.part)},
+                             {"part", NameIn(kPartNames, box.part)},
                              {"size", ListJson(box.size)},
                              {"centre", ListJson(box.centre)},
                              {"turn", ListJson(box.turn)}});
@@ -113,7 +113,7 @@ Json RecordedSeasonJson(const RecordedSeason& season) {
   json["terrain"] = TerrainJson(season.terrain);
   json["begin"] = season.begin;
   json["duration"] = season.duration;
-  json["change"] = ChangeName(season.change);
+  json["change"] = NameIn(kChangeNames, season.change);
   json["change_reason"] = season.change_reason;
   json["outcome"] = OutcomeName(season.outcome);
   json["reason"] = season.reason;

@@ -3,12 +3,13 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <span>
 #include <utility>
 
+#include "grammar/enum_names.h"
+#include "grammar/number.h"
 #include "runtime/recording/recording_json.h"
 #include "runtime/recording/track.h"
 #include "runtime/scenario/scenario_terrain.h"
@@ -51,13 +52,11 @@ Eigen::Matrix<double, kSize, 1> ReadVector(JsonReader& reader,
   return vector;
 }
 
-// The enumerator, counted from 0 up to `last`, whose name the text is.
-template <typename Enum, typename Name>
+template <typename Enum, std::size_t N>
 Enum ReadEnum(JsonReader& reader, const JsonValue& object, std::string_view key,
-              Enum last, Name name) {
+              const EnumNames<Enum, N>& names) {
   const std::string text = reader.Text(object, key);
-  for (int i = 0; i <= static_cast<int>(last); ++i)
-    if (name(static_cast<Enum>(i)) == text) return static_cast<Enum>(i);
+  if (const std::optional<Enum> value = ValueIn(names, text)) return *value;
   reader.Error(object, Code::kUnknownWord,
                fmt::format("unknown value '{}' for '{}'", text, key));
   return Enum{};
@@ -78,15 +77,13 @@ std::optional<double> ReadOptional(JsonReader& reader, const JsonValue& object,
 
 std::uint64_t ReadSeed(JsonReader& reader, const JsonValue& object) {
   const std::string text = reader.Text(object, "seed");
-  std::uint64_t seed = 0;
-  const char* end = text.data() + text.size();
-  const auto [last, error] = std::from_chars(text.data(), end, seed);
-  if (error != std::errc{} || last != end)
+  const auto seed = ParseNumber<std::uint64_t>(text);
+  if (!seed)
     reader.Error(object, Code::kWrongKind,
                  fmt::format("expected a whole number as text for 'seed', "
                              "found '{}'",
                              text));
-  return seed;
+  return seed.value_or(0);
 }
 
 std::span<const std::string_view> TerrainKeys(TerrainType type) {
@@ -118,8 +115,7 @@ Terrain ReadTerrainJson(JsonReader& reader, const JsonValue& value) {
     reader.Wrong(value, "an object");
     return terrain;
   }
-  terrain.type =
-      ReadEnum(reader, value, "type", TerrainType::kObstacles, &TerrainName);
+  terrain.type = ReadEnum(reader, value, "type", kTerrainNames);
   reader.IsObject(value, TerrainKeys(terrain.type));
   switch (terrain.type) {
     case TerrainType::kFlat:
@@ -153,7 +149,7 @@ RecordedBox ReadBox(JsonReader& reader, const JsonValue& value,
   RecordedBox box;
   if (!reader.IsObject(value, kKnown)) return box;
   box.module = ReadIndex(reader, value, "module", modules);
-  box.part = ReadEnum(reader, value, "part", Part::kSensor, &PartName);
+  box.part = ReadEnum(reader, value, "part", kPartNames);
   box.size = ReadVector<3>(reader, value, "size");
   box.centre = ReadVector<3>(reader, value, "centre");
   box.turn = ReadVector<4>(reader, value, "turn");
@@ -208,8 +204,7 @@ RecordedBody ReadBody(JsonReader& reader, const JsonValue& value) {
   reader.List(value, "modules", [&](const JsonValue& module) {
     if (!reader.IsObject(module, kModule)) return;
     body.modules.push_back({reader.Text(module, "id"),
-                            ReadEnum(reader, module, "type",
-                                     ModuleType::kTouchSensor, &ModuleName)});
+                            ReadEnum(reader, module, "type", kModuleNames)});
   });
   reader.List(value, "links", [&](const JsonValue& link) {
     body.links.push_back(ReadLink(reader, link, body.modules.size()));
@@ -326,10 +321,9 @@ RecordedSeason ReadSeason(JsonReader& reader, const JsonValue& value) {
   });
   season.begin = reader.Number(value, "begin");
   season.duration = reader.Number(value, "duration");
-  season.change = ReadEnum(reader, value, "change", Change::kBody, &ChangeName);
+  season.change = ReadEnum(reader, value, "change", kChangeNames);
   season.change_reason = reader.Text(value, "change_reason");
-  season.outcome =
-      ReadEnum(reader, value, "outcome", Outcome::kStopped, &OutcomeName);
+  season.outcome = ReadEnum(reader, value, "outcome", kOutcomeNames);
   season.reason = reader.Text(value, "reason");
   season.speed = ReadOptional(reader, value, "speed");
   season.balance = ReadOptional(reader, value, "balance");

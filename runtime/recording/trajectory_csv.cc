@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <iterator>
+#include "grammar/number.h"
 
 namespace plsc {
 
@@ -11,17 +11,16 @@ std::string TrajectoryCsv(const Trajectory& trajectory) {
   for (Eigen::Index j = 0; j < trajectory.joint_angle.rows(); ++j)
     csv += fmt::format(",joint{}", j + 1);
   csv += '\n';
-  auto out = std::back_inserter(csv);
   for (Eigen::Index i = 0; i < trajectory.time.size(); ++i) {
-    fmt::format_to(out, "{}", trajectory.time[i]);
+    csv += PrintPlainNumber(trajectory.time[i]);
     for (const auto* columns :
          {&trajectory.core_position, &trajectory.mass_centre,
           &trajectory.core_orientation})
       for (Eigen::Index row = 0; row < 3; ++row)
-        fmt::format_to(out, ",{}", (*columns)(row, i));
-    fmt::format_to(out, ",{}", trajectory.contacts[i]);
+        csv += "," + PrintPlainNumber((*columns)(row, i));
+    csv += fmt::format(",{}", trajectory.contacts[i]);
     for (Eigen::Index j = 0; j < trajectory.joint_angle.rows(); ++j)
-      fmt::format_to(out, ",{}", trajectory.joint_angle(j, i));
+      csv += "," + PrintPlainNumber(trajectory.joint_angle(j, i));
     csv += '\n';
   }
   return csv;

@@ -1,3 +1,9 @@
+// The unit of statistics is the run and not the robot: robots of a population
+// are relatives. So each run gives one number a generation (its mean, or its
+// best), curves are quartiles of these over runs, and tests compare the runs of
+// two experiments, as the paper's do. Static references are shown and never
+// tested. Pairs are tested within a measure and a season only.
+
 #include "runtime/report/comparison.h"
 
 #include <algorithm>

@@ -1,3 +1,8 @@
+// Two experiments are compared as they print, key by key with the keys' paths:
+// a key that is added to experiments is thereby compared, without a list here
+// that would be forgotten. Keys come in the order of the file, those that only
+// one has after the key before them.
+
 #include "runtime/report/experiment_difference.h"
 
 #include <algorithm>

@@ -1,3 +1,13 @@
+// Means over each generation's population, of which a robot survives many: to
+// join tables generation by generation would read each robot again and again.
+// Every table is read once, in its own order, into flat arrays of the measured
+// columns, keys become places in them, and a generation is a list of places. A
+// run of the paper, 20,000 robots with all 37 measures, takes a tenth of a
+// second (report_bench).
+//
+// Numbers of a damaged store are not trusted: what does not fit is left out,
+// and infinities count as missing, as one would make a mean of all.
+
 #include "runtime/report/population.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,7 @@
+// R's type 7, its default and the paper's: the quantile lies at share * (n - 1)
+// of the sorted values, between neighbours in proportion. Whiskers reach to the
+// last value within one and a half boxes (Tukey), as in R's boxplot.
+
 #include "runtime/report/quantiles.h"
 
 #include <algorithm>

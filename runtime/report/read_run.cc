@@ -1,3 +1,10 @@
+// Read while somebody may be writing. A store with a journal is read in one
+// transaction, of one instant; one without is read as a file that stays as it
+// is, and if it does not, all that was read is thrown away and read anew, now
+// with a journal. Who works on it is asked first: a run that ends in between is
+// then taken for running, which the next look corrects, and never for one that
+// nobody works on.
+
 #include "runtime/report/read_run.h"
 
 #include <fmt/format.h>
@@ -55,7 +62,7 @@ MaybeFailure ReadAll(const std::string& path, const ReadOptions& options,
   RunStore store;
   if (MaybeFailure failure = store.OpenForReading(path)) return failure;
   reading.experiment = store.experiment();
-  if (expected && reading.experiment != *expected)
+  if (expected && !AreSame(reading.experiment, *expected))
     return fmt::format(
         "'{}' is a run of another experiment or seed than the study's", path);
   if (options.verify)

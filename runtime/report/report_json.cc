@@ -1,7 +1,5 @@
 #include "runtime/report/report_json.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -9,11 +7,13 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "grammar/number.h"
 #include "runtime/develop/environment_json.h"
 #include "runtime/report/comparison.h"
 #include "runtime/report/experiment_difference.h"
 #include "runtime/scenario/scenario_terrain.h"
 #include "runtime/text/json_dump.h"
+#include "runtime/text/quantity.h"
 
 namespace plsc {
 
@@ -28,7 +28,7 @@ constexpr std::size_t kMostClauses = 40;
 /// With six digits; null for what is no number.
 Json Number(double value) {
   if (!std::isfinite(value)) return nullptr;
-  return std::strtod(fmt::format("{:.6g}", value).c_str(), nullptr);
+  return *ParseNumber<double>(PrintRoundedNumber(value, 6));
 }
 
 Json Number(const std::optional<double>& value) {
@@ -225,7 +225,6 @@ Json SensedJson(const std::vector<SensedState>& sensed,
 }
 
 Json PortraitJson(const Portrait& portrait) {
-  constexpr double kCentimetres = 100;
   Json json{{"id", portrait.id},
             {"name", portrait.name},
             {"born", portrait.born},
@@ -239,7 +238,7 @@ Json PortraitJson(const Portrait& portrait) {
           season.speed ? Number(kCentimetres * *season.speed) : Json(nullptr)},
          {"balance", Number(season.balance)},
          {"size", season.size},
-         {"change", ChangeName(season.change)},
+         {"change", NameIn(kChangeNames, season.change)},
          {"sensed", SensedJson(season.sensed, portrait.states)},
          {"svg", TextOrNull(season.svg)}});
   for (const RuleUse& rule : portrait.rules)
@@ -266,7 +265,7 @@ Json RunJson(const ReportRun& run, const Json& experiment) {
   Json json{{"label", run.input.label},
             {"path", run.input.path},
             {"experiment", experiment},
-            {"state", StateName(reading.state)},
+            {"state", NameIn(kRunStateNames, reading.state)},
             {"problem", TextOrNull(reading.problem)},
             {"worker", TextOrNull(reading.worker)}};
   if (reading.state == RunState::kMissing ||

@@ -6,6 +6,7 @@
 #include <cctype>
 
 #include "runtime/store/schema.h"
+#include "runtime/text/quantity.h"
 
 namespace plsc {
 
@@ -14,7 +15,6 @@ namespace {
 using Measures = std::vector<ReportMeasure>;
 
 // Speeds are m/s in stores and cm/s in the paper.
-constexpr double kCentimetres = 100;
 
 bool Has(const Measures& measures, const std::string& id) {
   return std::any_of(

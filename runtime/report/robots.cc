@@ -39,7 +39,7 @@ std::vector<RuleUse> RulesOf(
   std::vector<RuleUse> uses;
   for (const Rule& rule : genotype.rules) {
     RuleUse use;
-    use.symbol = (*genotype.alphabet)[rule.head].name;
+    use.symbol = genotype.SymbolOf(rule.head).name;
     if (!rule.clause.is_always())
       use.clause = PrintClause(rule.clause, genotype);
     uses.push_back(std::move(use));

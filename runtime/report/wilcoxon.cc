@@ -1,11 +1,24 @@
 #include "runtime/report/wilcoxon.h"
 
-// R's mathematics without R.
-#define MATHLIB_STANDALONE
-#include <Rmath.h>
+// The exact test asks how many of the equally likely ways to choose which
+// values are x's have a W at least as far from its middle. Mann and Whitney
+// ("On a Test of Whether one of Two Random Variables is Stochastically Larger
+// than the Other", 1947) count them by a recurrence over the sizes of samples:
+// the greatest value is an x, which is then greater than all n of y, or a y:
+//   ways(m, n, w) = ways(m - 1, n, w - n) + ways(m, n - 1, w)
+// What solves it is Gauss's binomial coefficient: ways(m, n, w) is the
+// coefficient of q^w in the product over i = 1 .. m of
+//   (1 - q^(n + i)) / (1 - q^i)
+// Multiplying and dividing by 1 - q^k each run through the coefficients once,
+// in place: at most 2 m (w + 1) additions of integers, so the count is exact.
+// The first i factors together count the ways of i and n, so what goes below
+// zero between a multiplication and its division comes back (unsigned numbers
+// wrap).
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <numeric>
 
 namespace plsc {
 
@@ -48,11 +61,42 @@ Ranked Rank(const std::vector<double>& x, const std::vector<double>& y) {
   return ranked;
 }
 
-double ExactP(double w, double m, double n) {
-  // The tail that W is in, W itself included, twice.
-  const double tail =
-      w > m * n / 2 ? pwilcox(w - 1, m, n, 0, 0) : pwilcox(w, m, n, 1, 0);
-  return std::min(2 * tail, 1.0);
+// All ways together are at most 98! / 49!^2 < 2^95 (kExactBelow), so no sum of
+// ways overflows; doubles would begin to round at 30 values of each.
+__extension__ using Ways = unsigned __int128;
+
+/// To choose which m of m + n values are x's.
+Ways AllWays(std::size_t m, std::size_t n) {
+  Ways ways = 1;
+  for (std::size_t i = 1; i <= m; ++i) ways = ways * (n + i) / i;
+  return ways;
+}
+
+/// Those of them whose W is `most` or less.
+Ways WaysUpTo(std::size_t most, std::size_t m, std::size_t n) {
+  std::vector<Ways> ways(most + 1);  // of each W
+  ways[0] = 1;
+  for (std::size_t i = 1; i <= m; ++i) {
+    for (std::size_t w = most; w >= n + i; --w) ways[w] -= ways[w - (n + i)];
+    for (std::size_t w = i; w <= most; ++w) ways[w] += ways[w - i];
+  }
+  return std::accumulate(ways.begin(), ways.end(), Ways{0});
+}
+
+double ExactP(std::size_t w, std::size_t m, std::size_t n) {
+  // The tail that W is in, W itself included, twice; the other way round as
+  // many ways lead to m n - W as to W.
+  const std::size_t tail = std::min(w, m * n - w);
+  return std::min(2 * static_cast<double>(WaysUpTo(tail, m, n)) /
+                      static_cast<double>(AllWays(m, n)),
+                  1.0);
+}
+
+/// The normal distribution's share of what is below z. Far out a rounded
+/// quotient would cost z^2 units of the last place, so there are more places.
+double NormalBelow(double z) {
+  return static_cast<double>(
+      std::erfc(-z / std::numbers::sqrt2_v<long double>) / 2);
 }
 
 std::optional<double> NormalP(const Ranked& ranked, double m, double n) {
@@ -64,8 +108,7 @@ std::optional<double> NormalP(const Ranked& ranked, double m, double n) {
   const double continuity =
       difference > 0 ? 0.5 : (difference < 0 ? -0.5 : 0.0);
   const double z = (difference - continuity) / sigma;
-  return std::min(1.0,
-                  2 * std::min(pnorm(z, 0, 1, 1, 0), pnorm(z, 0, 1, 0, 0)));
+  return 2 * NormalBelow(-std::abs(z));
 }
 
 }  // namespace
@@ -81,7 +124,7 @@ std::optional<RankSum> RankSumTest(const std::vector<double>& x,
   test.is_exact =
       x.size() < kExactBelow && y.size() < kExactBelow && ranked.ties == 0;
   if (test.is_exact) {
-    test.p = ExactP(ranked.w, m, n);
+    test.p = ExactP(static_cast<std::size_t>(ranked.w), x.size(), y.size());
     return test;
   }
   const std::optional<double> p = NormalP(ranked, m, n);

@@ -1,8 +1,8 @@
 #pragma once
 
 // The two-sided Wilcoxon rank-sum test (Mann-Whitney), as R's wilcox.test(x, y)
-// has it: the paper's test between encodings. Distributions are those of R's
-// own library, for which this is the door (docs/decisions/0012).
+// has it: the paper's test between encodings. Ways are counted exactly, so p is
+// R's to 14 digits and not to the last bit (docs/decisions/0017).
 
 #include <optional>
 #include <string_view>

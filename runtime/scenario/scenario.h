@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "compiler/genotype.h"
+#include "grammar/enum_names.h"
 #include "grammar/result.h"
 #include "sim/imu.h"
 #include "sim/measures.h"
@@ -26,6 +27,8 @@ enum class Profile : std::uint8_t {
   kPaper,      ///< what the paper's text says
   kPublished,  ///< what the authors' program ran
 };
+inline constexpr EnumNames<Profile, 2> kProfileNames{
+    {{Profile::kPaper, "paper"}, {Profile::kPublished, "published"}}};
 
 enum class Lives : std::uint8_t {
   /// Each season is lived from a fresh start at the origin.
@@ -79,9 +82,6 @@ struct Scenario {
 
   friend bool operator==(const Scenario&, const Scenario&) = default;
 };
-
-/// "paper", "published".
-std::string_view ProfileName(Profile profile);
 
 /// What a robot with these states senses in the season: what the season gives,
 /// else what the robot felt ("inclined" to "True"). An error names each state

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cstddef>
+#include <iterator>
 #include <numbers>
 #include <utility>
 #include <vector>
@@ -23,78 +25,76 @@ struct IntKey {
   int low, high;
 };
 
-// A field more must get its key here and in docs/experiments.md, or results
-// would depend on what no file says.
-static_assert(sizeof(PhysicsOptions) == 144 && sizeof(ServoOptions) == 48);
+using enum Dimension;
+using P = PhysicsOptions;
+using S = ServoOptions;
 
 // In the order of PhysicsOptions, which explains the fields. Limits are those
 // of plausible worlds, wide enough for any experiment; beyond them a number is
 // a slip of the pen, or ODE fails.
-const std::vector<NumberKey<PhysicsOptions>>& PhysicsKeys() {
-  using enum Dimension;
-  using P = PhysicsOptions;
-  static const std::vector<NumberKey<P>> keys = {
-      {"step", &P::step, {kTime, 0, 0.1, true}},
-      {"gravity", &P::gravity, {kAcceleration, 0, 1000}},
-      {"world_erp", &P::world_erp, {kNumber, 0, 1}},
-      {"world_cfm", &P::world_cfm, {kNumber, 0, 1}},
-      {"friction", &P::friction, {kNumber, 0, 1000}},
-      {"slip", &P::slip, {kSlip, 0, 1000}},
-      {"robot_kp", &P::robot_kp, {kStiffness, 0, 1e12, true}},
-      {"robot_kd", &P::robot_kd, {kViscosity, 0, 1e12}},
-      {"ground_kp", &P::ground_kp, {kStiffness, 0, 1e12, true}},
-      {"ground_kd", &P::ground_kd, {kViscosity, 0, 1e12}},
-      {"damping", &P::damping, {kNumber, 0, 1}},
-      {"correcting_speed", &P::correcting_speed, {kSpeed, 0, 1e6}},
-      {"surface_layer", &P::surface_layer, {kLength, 0, 0.1}},
-      {"max_speed", &P::max_speed, {kSpeed, 0, 1e6, true}},
-      {"max_spin", &P::max_spin, {kAngularSpeed, 0, 1e6, true}},
-      {"max_solver_failures", &P::max_solver_failures, {kNumber, 0, 1e9}},
-  };
-  return keys;
+constexpr NumberKey<P> kPhysicsKeys[] = {
+    {"step", &P::step, {kTime, 0, 0.1, true}},
+    {"gravity", &P::gravity, {kAcceleration, 0, 1000}},
+    {"world_erp", &P::world_erp, {kNumber, 0, 1}},
+    {"world_cfm", &P::world_cfm, {kNumber, 0, 1}},
+    {"friction", &P::friction, {kNumber, 0, 1000}},
+    {"slip", &P::slip, {kSlip, 0, 1000}},
+    {"robot_kp", &P::robot_kp, {kStiffness, 0, 1e12, true}},
+    {"robot_kd", &P::robot_kd, {kViscosity, 0, 1e12}},
+    {"ground_kp", &P::ground_kp, {kStiffness, 0, 1e12, true}},
+    {"ground_kd", &P::ground_kd, {kViscosity, 0, 1e12}},
+    {"damping", &P::damping, {kNumber, 0, 1}},
+    {"correcting_speed", &P::correcting_speed, {kSpeed, 0, 1e6}},
+    {"surface_layer", &P::surface_layer, {kLength, 0, 0.1}},
+    {"max_speed", &P::max_speed, {kSpeed, 0, 1e6, true}},
+    {"max_spin", &P::max_spin, {kAngularSpeed, 0, 1e6, true}},
+    {"max_solver_failures", &P::max_solver_failures, {kNumber, 0, 1e9}},
+};
+
+constexpr IntKey kPhysicsIntKeys[] = {
+    {"solver_iterations", &P::solver_iterations, 1, 100000},
+    {"max_direct_links", &P::max_direct_links, 0, 100000},
+};
+
+constexpr NumberKey<S> kServoKeys[] = {
+    {"range", &S::range, {kAngle, 0, std::numbers::pi, true}},
+    {"gain", &S::gain, {kRate, 0, 1000, true}},
+    {"max_speed", &S::max_speed, {kAngularSpeed, 0, 1000, true}},
+    {"max_torque", &S::max_torque, {kTorque, 0, 1000, true}},
+    {"update_rate", &S::update_rate, {kFrequency, 0, 1e4, true}},
+};
+
+/// Becomes a value of any type, to try how many of them an aggregate takes.
+struct AnyField {
+  template <typename T>
+  operator T() const;
+};
+
+template <typename Options, typename... Fields>
+consteval std::size_t FieldCount() {
+  if constexpr (requires { Options{Fields{}..., AnyField{}}; })
+    return FieldCount<Options, Fields..., AnyField>();
+  else
+    return sizeof...(Fields);
 }
 
-const std::vector<IntKey>& PhysicsIntKeys() {
-  using P = PhysicsOptions;
-  static const std::vector<IntKey> keys = {
-      {"solver_iterations", &P::solver_iterations, 1, 100000},
-      {"max_direct_links", &P::max_direct_links, 0, 100000},
-  };
-  return keys;
-}
+// A field more must get its key here and in docs/experiments.md, or results
+// would depend on what no file says. `solver` and `refresh` are read by name.
+static_assert(FieldCount<PhysicsOptions>() ==
+              std::size(kPhysicsKeys) + std::size(kPhysicsIntKeys) + 1);
+static_assert(FieldCount<ServoOptions>() == std::size(kServoKeys) + 1);
 
-const std::vector<NumberKey<ServoOptions>>& ServoKeys() {
-  using enum Dimension;
-  using S = ServoOptions;
-  static const std::vector<NumberKey<S>> keys = {
-      {"range", &S::range, {kAngle, 0, std::numbers::pi, true}},
-      {"gain", &S::gain, {kRate, 0, 1000, true}},
-      {"max_speed", &S::max_speed, {kAngularSpeed, 0, 1000, true}},
-      {"max_torque", &S::max_torque, {kTorque, 0, 1000, true}},
-      {"update_rate", &S::update_rate, {kFrequency, 0, 1e4, true}},
-  };
-  return keys;
-}
-
-const std::vector<std::string>& SolverNames() {
-  static const std::vector<std::string> names = {"direct", "iterative"};
-  return names;
-}
-
-const std::vector<std::string>& RefreshNames() {
-  static const std::vector<std::string> names = {"exact", "late"};
-  return names;
-}
+constexpr EnumNames<Solver, 2> kSolverNames{
+    {{Solver::kDirect, "direct"}, {Solver::kIterative, "iterative"}}};
 
 using Printed = std::vector<std::pair<std::string, std::string>>;
 
 Printed PrintedKeys(const PhysicsOptions& physics) {
   Printed lines;
-  lines.emplace_back("solver",
-                     SolverNames()[static_cast<std::size_t>(physics.solver)]);
-  for (const IntKey& key : PhysicsIntKeys())
+  lines.emplace_back("solver", NameIn(kSolverNames, physics.solver));
+  for (const IntKey& key : kPhysicsIntKeys)
     lines.emplace_back(key.name, std::to_string(physics.*key.field));
-  for (const auto& key : PhysicsKeys())
+  for (const auto& key : kPhysicsKeys)
     lines.emplace_back(
         key.name, PrintQuantity(physics.*key.field, key.quantity.dimension));
   return lines;
@@ -109,14 +109,13 @@ PhysicsPatch ReadPhysics(YamlMap map) {
     if (map.Find(name)) patch.given.insert(name);
   };
   note("solver");
-  physics.solver = static_cast<Solver>(map.Choice(
-      "solver", static_cast<std::size_t>(physics.solver), SolverNames()));
-  for (const IntKey& key : PhysicsIntKeys()) {
+  physics.solver = map.Choice("solver", physics.solver, kSolverNames);
+  for (const IntKey& key : kPhysicsIntKeys) {
     note(key.name);
     physics.*key.field =
         map.Int(key.name, physics.*key.field, key.low, key.high);
   }
-  for (const auto& key : PhysicsKeys()) {
+  for (const auto& key : kPhysicsKeys) {
     note(key.name);
     physics.*key.field = map.Number(key.name, physics.*key.field, key.quantity);
   }
@@ -126,10 +125,10 @@ PhysicsPatch ReadPhysics(YamlMap map) {
 
 PhysicsOptions Patched(PhysicsOptions base, const PhysicsPatch& patch) {
   if (patch.given.contains("solver")) base.solver = patch.values.solver;
-  for (const IntKey& key : PhysicsIntKeys())
+  for (const IntKey& key : kPhysicsIntKeys)
     if (patch.given.contains(key.name))
       base.*key.field = patch.values.*key.field;
-  for (const auto& key : PhysicsKeys())
+  for (const auto& key : kPhysicsKeys)
     if (patch.given.contains(key.name))
       base.*key.field = patch.values.*key.field;
   return base;
@@ -155,22 +154,21 @@ std::string PrintPhysicsChanges(const PhysicsOptions& physics,
 
 ServoOptions ReadServo(YamlMap map, const ServoOptions& otherwise) {
   ServoOptions servo = otherwise;
-  for (const auto& key : ServoKeys())
+  for (const auto& key : kServoKeys)
     servo.*key.field = map.Number(key.name, servo.*key.field, key.quantity);
-  servo.refresh = static_cast<Refresh>(map.Choice(
-      "refresh", static_cast<std::size_t>(servo.refresh), RefreshNames()));
+  servo.refresh = map.Choice("refresh", servo.refresh, kRefreshNames);
   map.Close();
   return servo;
 }
 
 std::string PrintServo(const ServoOptions& servo, const std::string& blanks) {
   std::string text;
-  for (const auto& key : ServoKeys())
+  for (const auto& key : kServoKeys)
     text +=
         fmt::format("{}{}: {}\n", blanks, key.name,
                     PrintQuantity(servo.*key.field, key.quantity.dimension));
   text += fmt::format("{}refresh: {}\n", blanks,
-                      RefreshNames()[static_cast<std::size_t>(servo.refresh)]);
+                      NameIn(kRefreshNames, servo.refresh));
   return text;
 }
 

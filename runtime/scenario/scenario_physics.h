@@ -6,10 +6,17 @@
 #include <set>
 #include <string>
 
+#include "grammar/enum_names.h"
 #include "runtime/text/yaml_reader.h"
 #include "sim/options.h"
 
 namespace plsc {
+
+inline constexpr EnumNames<Refresh, 2> kRefreshNames{
+    {{Refresh::kExact, "exact"}, {Refresh::kLate, "late"}}};
+inline constexpr EnumNames<ControllerMode, 2> kControllerNames{
+    {{ControllerMode::kOpenLoop, "open_loop"},
+     {ControllerMode::kCoupled, "coupled"}}};
 
 /// Keys that a map gave, with their values.
 struct PhysicsPatch {

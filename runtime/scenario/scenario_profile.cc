@@ -30,23 +30,12 @@ Scenario BothSeasons(Profile profile) {
     flat.senses["inclined"] = "False";
     tilted.senses["inclined"] = "True";
   }
-  scenario.name = ProfileName(profile);
+  scenario.name = NameIn(kProfileNames, profile);
   scenario.seasons = {flat, tilted};
   return scenario;
 }
 
 }  // namespace
-
-std::string_view ProfileName(Profile profile) {
-  switch (profile) {
-    case Profile::kPaper:
-      return "paper";
-    case Profile::kPublished:
-      return "published";
-  }
-  assert(false);
-  return "";
-}
 
 Scenario ProfileScenario(Profile profile) {
   Scenario scenario;  // its defaults are the paper's

@@ -19,12 +19,6 @@ constexpr Quantity kStepHeight = {Dimension::kLength, 0, 10, true};
 // stands for.
 constexpr Quantity kWidth = {Dimension::kLength, 0.02, 1000};
 
-const std::vector<std::string>& TerrainNames() {
-  static const std::vector<std::string> names = {"flat", "tilted", "rough",
-                                                 "steps", "obstacles"};
-  return names;
-}
-
 std::uint64_t ReadSeed(YamlMap& map, std::uint64_t otherwise) {
   const auto seed = map.Find("seed");
   return seed ? seed->Unsigned().value_or(otherwise) : otherwise;
@@ -68,9 +62,9 @@ Obstacles ReadObstacles(YamlMap map) {
 /// `rough` alone has the default parameters, as `flat` has none.
 Terrain ReadName(const YamlValue& value) {
   Terrain terrain;
-  const auto choice = value.Choice(TerrainNames());
-  if (!choice) return terrain;
-  terrain.type = static_cast<TerrainType>(*choice);
+  const auto type = value.Choice(kTerrainNames);
+  if (!type) return terrain;
+  terrain.type = *type;
   if (terrain.type == TerrainType::kTilted)
     value.Report(Code::kMissingKey, "expected the tilt of the ground",
                  "write 'terrain: {tilted: 5 deg}'");
@@ -78,10 +72,6 @@ Terrain ReadName(const YamlValue& value) {
 }
 
 }  // namespace
-
-std::string TerrainName(TerrainType type) {
-  return TerrainNames()[static_cast<std::size_t>(type)];
-}
 
 Terrain ReadTerrain(const YamlValue& value) {
   if (!value.is_map()) return ReadName(value);
@@ -102,7 +92,7 @@ Terrain ReadTerrain(const YamlValue& value) {
   }
   // Each reader is asked only for the map that is there.
   const auto find = [&](TerrainType type) -> std::optional<YamlMap> {
-    const auto of = map.Find(TerrainName(type));
+    const auto of = map.Find(NameIn(kTerrainNames, type));
     if (!of) return std::nullopt;
     terrain.type = type;
     ++named;

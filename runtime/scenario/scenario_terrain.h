@@ -5,18 +5,23 @@
 
 #include <string>
 
+#include "grammar/enum_names.h"
 #include "runtime/text/yaml_reader.h"
 #include "sim/terrain.h"
 
 namespace plsc {
+
+inline constexpr EnumNames<TerrainType, 5> kTerrainNames{
+    {{TerrainType::kFlat, "flat"},
+     {TerrainType::kTilted, "tilted"},
+     {TerrainType::kRough, "rough"},
+     {TerrainType::kSteps, "steps"},
+     {TerrainType::kObstacles, "obstacles"}}};
 
 /// What is wrong is reported at its place, and replaced by a default.
 Terrain ReadTerrain(const YamlValue& value);
 
 /// On one line, every parameter written out.
 std::string PrintTerrain(const Terrain& terrain);
-
-/// "flat", "tilted", "rough", "steps", "obstacles".
-std::string TerrainName(TerrainType type);
 
 }  // namespace plsc

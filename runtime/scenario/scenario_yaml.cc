@@ -1,11 +1,17 @@
+// Reading and printing are held to each other: what PrintScenario writes reads
+// back to an equal scenario, with every value written out. Stores, keys and
+// requests depend on it, so a value that is read and not printed is a defect
+// that shows only later, as equal keys of different simulations.
+
 #include "runtime/scenario/scenario_yaml.h"
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <numbers>
 #include <set>
 
+#include "grammar/enum_names.h"
+#include "grammar/number.h"
 #include "grammar/suggest.h"
 #include "runtime/scenario/scenario_physics.h"
 #include "runtime/scenario/scenario_profile.h"
@@ -32,49 +38,19 @@ constexpr Quantity kSettling = {Dimension::kTime, 0, 60};
 // Of start_height: on the ground instead of above it.
 constexpr const char* kResting = "resting";
 
-const std::vector<std::string>& ProfileNames() {
-  static const std::vector<std::string> names = {
-      std::string(ProfileName(Profile::kPaper)),
-      std::string(ProfileName(Profile::kPublished))};
-  return names;
-}
+constexpr EnumNames<Lives, 2> kLivesNames{
+    {{Lives::kIndependent, "independent"}, {Lives::kContinuous, "continuous"}}};
 
-const std::vector<std::string>& LivesNames() {
-  static const std::vector<std::string> names = {"independent", "continuous"};
-  return names;
-}
+constexpr EnumNames<Plasticity, 2> kPlasticityNames{
+    {{Plasticity::kLifelong, "lifelong"},
+     {Plasticity::kMorphogenesis, "morphogenesis"}}};
 
-const std::vector<std::string>& PlasticityNames() {
-  static const std::vector<std::string> names = {"lifelong", "morphogenesis"};
-  return names;
-}
+constexpr EnumNames<MeasuredPoint, 2> kMeasuredNames{
+    {{MeasuredPoint::kMassCentre, "mass_centre"},
+     {MeasuredPoint::kCore, "core"}}};
 
-const std::vector<std::string>& ControllerNames() {
-  static const std::vector<std::string> names = {"open_loop", "coupled"};
-  return names;
-}
-
-const std::vector<std::string>& MeasuredNames() {
-  static const std::vector<std::string> names = {"mass_centre", "core"};
-  return names;
-}
-
-const std::vector<std::string>& SensingNames() {
-  static const std::vector<std::string> names = {"imu", "given"};
-  return names;
-}
-
-template <typename Enum>
-void ReadChoice(YamlMap& map, const char* key,
-                const std::vector<std::string>& names, Enum& value) {
-  value = static_cast<Enum>(
-      map.Choice(key, static_cast<std::size_t>(value), names));
-}
-
-template <typename Enum>
-const std::string& NameIn(const std::vector<std::string>& names, Enum value) {
-  return names[static_cast<std::size_t>(value)];
-}
+constexpr EnumNames<Sensing, 2> kSensingNames{
+    {{Sensing::kImu, "imu"}, {Sensing::kGiven, "given"}}};
 
 std::map<std::string, std::string> ReadSenses(YamlMap map) {
   std::map<std::string, std::string> senses;
@@ -126,7 +102,8 @@ Season ReadSeason(const YamlValue& value, Profile profile,
     terrain = ReadTerrain(*written);
   season = ProfileSeason(profile, terrain);
   season.physics = Patched(season.physics, shared);
-  season.name = map->Text("name", TerrainName(terrain.type));
+  season.name =
+      map->Text("name", std::string(NameIn(kTerrainNames, terrain.type)));
   if (!IsFileName(season.name))
     map->Find("name")->Report(
         Code::kUnknownWord,
@@ -250,10 +227,9 @@ void CheckLengths(YamlMap& map, const Scenario& scenario) {
 std::string PrintSenses(const std::map<std::string, std::string>& senses) {
   std::vector<std::string> items;
   for (const auto& [name, value] : senses) {
-    double number = 0;
-    const char* end = value.data() + value.size();
-    const auto [stop, failure] = std::from_chars(value.data(), end, number);
-    const bool is_number = failure == std::errc{} && stop == end;
+    const LeadingNumber<double> number = ReadNumber<double>(value);
+    const bool is_number = number.kind == LeadingNumber<double>::Kind::kFits &&
+                           number.length == value.size();
     // Values of bool states are YAML's, too.
     const bool is_bare = is_number || value == "True" || value == "False";
     items.push_back(fmt::format("{}: {}", PrintYamlText(name),
@@ -302,12 +278,12 @@ void ReadImu(YamlMap& map, ImuOptions& imu) {
 
 Scenario ReadScenario(YamlMap& map) {
   const std::size_t errors = map.place().error_count();
-  auto profile = Profile::kPaper;
-  ReadChoice(map, "profile", ProfileNames(), profile);
+  const Profile profile = map.Choice("profile", Profile::kPaper, kProfileNames);
   Scenario scenario = ProfileScenario(profile);
   scenario.name = map.Text("name", "");
-  ReadChoice(map, "lives", LivesNames(), scenario.lives);
-  ReadChoice(map, "plasticity", PlasticityNames(), scenario.plasticity);
+  scenario.lives = map.Choice("lives", scenario.lives, kLivesNames);
+  scenario.plasticity =
+      map.Choice("plasticity", scenario.plasticity, kPlasticityNames);
   PhysicsPatch physics;
   if (const auto written = map.Find("physics"))
     if (auto physics_map = written->Map("physical constants"))
@@ -315,9 +291,10 @@ Scenario ReadScenario(YamlMap& map) {
   if (const auto servo = map.Find("servo"))
     if (auto servo_map = servo->Map("constants of the servo"))
       scenario.servo = ReadServo(std::move(*servo_map), scenario.servo);
-  ReadChoice(map, "controller", ControllerNames(), scenario.controller);
-  ReadChoice(map, "measured", MeasuredNames(), scenario.measured);
-  ReadChoice(map, "sensing", SensingNames(), scenario.sensing);
+  scenario.controller =
+      map.Choice("controller", scenario.controller, kControllerNames);
+  scenario.measured = map.Choice("measured", scenario.measured, kMeasuredNames);
+  scenario.sensing = map.Choice("sensing", scenario.sensing, kSensingNames);
   ReadImu(map, scenario.imu);
   ReadLimits(map, scenario);
   scenario.sample_interval =
@@ -346,9 +323,9 @@ std::string PrintScenarioKeys(const Scenario& scenario, int indent) {
                                      ? PhysicsOptions{}
                                      : scenario.seasons.front().physics;
   if (!scenario.name.empty()) add("name", PrintYamlText(scenario.name));
-  add("profile", ProfileName(scenario.profile));
-  add("lives", NameIn(LivesNames(), scenario.lives));
-  add("plasticity", NameIn(PlasticityNames(), scenario.plasticity));
+  add("profile", NameIn(kProfileNames, scenario.profile));
+  add("lives", NameIn(kLivesNames, scenario.lives));
+  add("plasticity", NameIn(kPlasticityNames, scenario.plasticity));
   text += fmt::format("{}seasons:\n", blanks);
   for (const Season& season : scenario.seasons)
     text += PrintSeason(season, physics, deeper);
@@ -356,9 +333,9 @@ std::string PrintScenarioKeys(const Scenario& scenario, int indent) {
       PrintQuantity(scenario.sample_interval, Dimension::kTime));
   add("start_clearance",
       PrintQuantity(scenario.start_clearance, Dimension::kLength));
-  add("controller", NameIn(ControllerNames(), scenario.controller));
-  add("measured", NameIn(MeasuredNames(), scenario.measured));
-  add("sensing", NameIn(SensingNames(), scenario.sensing));
+  add("controller", NameIn(kControllerNames, scenario.controller));
+  add("measured", NameIn(kMeasuredNames, scenario.measured));
+  add("sensing", NameIn(kSensingNames, scenario.sensing));
   add("imu",
       fmt::format("{{threshold: {}, settling: {}}}",
                   PrintQuantity(scenario.imu.threshold, Dimension::kAngle),

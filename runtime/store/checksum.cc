@@ -1,3 +1,10 @@
+// One sum for all rows that an event wrote, over the bytes of each value with
+// its type and length, so that no two rows have the same bytes (TakeBytes). It
+// is taken from the rows as the database gives them, by the same statement when
+// they are written and when they are checked. Joins bring in what is stored
+// once and used by many: damage to a shared body is damage to every evaluation
+// that has it.
+
 #include "runtime/store/checksum.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,16 @@
+// SQLite finds its journal by name alone, and what it finds it plays back, cuts
+// and deletes. A journal of another database that lies there by chance (two
+// files renamed, a copy put back) would so destroy both. Therefore every store
+// carries a random identity in its header, the journal carries it in its copy
+// of page 1, and the two must agree before SQLite sees them. What cannot be
+// told apart (an empty journal, one without page 1) is what SQLite itself
+// leaves behind, and harmless.
+//
+// The format is read here by its documentation and by as little of it as
+// suffices: magic numbers, page size, salt, frames until page 1. Others may
+// write meanwhile; what is read while it changes is taken for unknown, not for
+// foreign.
+
 #include "runtime/store/companions.h"
 
 #include <fcntl.h>

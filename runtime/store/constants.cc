@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <cassert>
-#include <charconv>
 
+#include "grammar/number.h"
 #include "runtime/scenario/scenario_yaml.h"
 #include "runtime/text/yaml_reader.h"
 
@@ -15,12 +15,13 @@ namespace {
 /// "5 deg" and "0.8" are numbers; a quoted text, or "2x2", is none.
 void TakeNumber(ScenarioConstant& constant) {
   const std::string& text = constant.text;
-  const char* end = text.data() + text.size();
-  double number = 0;
-  const auto [stop, error] = std::from_chars(text.data(), end, number);
-  if (error != std::errc{} || (stop != end && *stop != ' ')) return;
-  constant.number = number;
-  if (stop != end) constant.unit = std::string(stop + 1, end);
+  const LeadingNumber<double> number = ReadNumber<double>(text);
+  const std::string rest = text.substr(number.length);
+  if (number.kind != LeadingNumber<double>::Kind::kFits ||
+      (!rest.empty() && rest.front() != ' '))
+    return;
+  constant.number = number.value;
+  if (!rest.empty()) constant.unit = rest.substr(1);
 }
 
 void Collect(const YamlValue& value, const std::string& name,

@@ -1,3 +1,21 @@
+// SQLite behind one door, held to what runs ask of it. WAL, so that readers and
+// the writer do not wait for each other; synchronous NORMAL, so that a kill
+// loses nothing and a power cut at most the last transactions, never the file.
+// Files that come from anywhere are read with defensive settings, without
+// trusting what their schema says.
+//
+// A file without a journal is opened as immutable: no lock, no files beside it,
+// also in folders that cannot be written. Whoever reads so must find out by
+// itself that somebody began to write meanwhile (StampOf).
+//
+// SQLite's locks belong to the process and are dropped when it closes any
+// descriptor of the file; hence ConnectedFiles, and hence nobody else here
+// opens a store. In a child of a fork the connection is the parent's: nothing
+// is finalised and nothing closed there.
+//
+// Failures are kept, the first one, and statements after it do nothing. So code
+// reads as if nothing could fail and asks once, at its end.
+
 #include "runtime/store/database.h"
 
 #include <fmt/format.h>
@@ -17,6 +35,7 @@
 
 #include "runtime/store/companions.h"
 #include "runtime/store/database_file.h"
+#include "runtime/text/system_reason.h"
 
 namespace plsc {
 
@@ -33,10 +52,11 @@ Failure Explain(sqlite3* connection, const std::string& path, int code,
   const char* said = sqlite3_errmsg(connection);
   const int kept = sqlite3_system_errno(connection);
   const int error = kept != 0 ? kept : last_error;
-  const std::string reason = error != 0 ? ReasonOf(error) : said;
+  const std::string reason = error != 0 ? SystemReason(error) : said;
   switch (code & 0xff) {  // the rest says more of it
     case SQLITE_FULL:
-      return fmt::format("cannot write to '{}': {}", path, ReasonOf(ENOSPC));
+      return fmt::format("cannot write to '{}': {}", path,
+                         SystemReason(ENOSPC));
     case SQLITE_IOERR:
       // Disks are full in several ways.
       if (error == EFBIG || error == ENOSPC || error == EDQUOT)
@@ -370,7 +390,7 @@ void Database::Check(int code) {
     failure_ = Explain(connection_, path_, code, last_error);
 }
 
-void Database::Fail(Failure failure) {
+void Database::Fail(MaybeFailure failure) {
   if (!failure_) failure_ = std::move(failure);
 }
 

@@ -120,7 +120,7 @@ class Database {
   /// The first failure since the last call.
   MaybeFailure TakeFailure();
   /// As if SQLite had said it.
-  void Fail(Failure failure);
+  void Fail(MaybeFailure failure);
 
  private:
   friend class Statement;

@@ -9,6 +9,7 @@
 #include <filesystem>
 
 #include "runtime/store/file_id.h"
+#include "runtime/text/system_reason.h"
 
 namespace plsc {
 
@@ -36,7 +37,7 @@ MaybeFailure CheckWriting(const std::string& shown) {
     return fmt::format(
         "cannot write to '{0}': its journal '{0}-wal' must be made beside it, "
         "and its folder cannot be written ({1})",
-        shown, ReasonOf(error));
+        shown, SystemReason(error));
   return std::nullopt;
 }
 
@@ -45,7 +46,7 @@ MaybeFailure CheckReading(const std::string& shown) {
   if (HasNoJournal(shown)) return std::nullopt;
   if (const int error = AccessError(shown + "-wal", R_OK))
     return fmt::format("cannot read '{}-wal', which has the newest of '{}': {}",
-                       shown, shown, ReasonOf(error));
+                       shown, shown, SystemReason(error));
   if (AccessError(shown + "-shm", R_OK) == 0) return std::nullopt;
   const int error = FolderError(shown);
   if (error == 0) return std::nullopt;
@@ -54,7 +55,7 @@ MaybeFailure CheckReading(const std::string& shown) {
       "only, as after a kill; to read that, '{0}-shm' must be made beside it, "
       "and the folder cannot be written ({1}): make it writable, or copy both "
       "'{0}' and '{0}-wal' to one that is",
-      shown, ReasonOf(error));
+      shown, SystemReason(error));
 }
 
 }  // namespace
@@ -83,7 +84,7 @@ MaybeFailure CheckFile(const std::string& path, bool is_writing) {
   const auto status = std::filesystem::status(path, error);
   if (!std::filesystem::exists(status))
     return fmt::format("cannot open '{}': {}", path,
-                       ReasonOf(error ? error.value() : ENOENT));
+                       SystemReason(error ? error.value() : ENOENT));
   if (std::filesystem::is_directory(status))
     return fmt::format("cannot open '{}': it is a folder", path);
   if (!std::filesystem::is_regular_file(status))
@@ -91,7 +92,7 @@ MaybeFailure CheckFile(const std::string& path, bool is_writing) {
   const int rights = is_writing ? R_OK | W_OK : R_OK;
   if (const int reason = AccessError(path, rights))
     return fmt::format("cannot {} '{}': {}", is_writing ? "write to" : "read",
-                       path, ReasonOf(reason));
+                       path, SystemReason(reason));
   // SQLite takes an empty file for a database without tables.
   if (std::filesystem::file_size(path, error) == 0)
     return fmt::format("'{}' is empty", path);

@@ -1,10 +1,8 @@
-#include <fmt/format.h>
-
-#include <charconv>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <utility>
 
+#include "grammar/number.h"
 #include "runtime/develop/environment_json.h"
 #include "runtime/store/database.h"
 #include "runtime/store/export.h"
@@ -41,9 +39,7 @@ std::string Header(const Statement& rows) {
 }
 
 int NumberOf(const std::string& cell) {
-  int number = 0;
-  std::from_chars(cell.data(), cell.data() + cell.size(), number);
-  return number;
+  return ReadNumber<int>(cell).value;
 }
 
 }  // namespace
@@ -113,7 +109,7 @@ std::string CsvExport::Parts::Cell(Statement& row,
     case 'i':
       return std::to_string(row.TakeInteger());
     case 'r':
-      return fmt::format("{}", row.TakeReal());
+      return PrintPlainNumber(row.TakeReal());
     default:  // NULL is an empty text, too
       break;
   }

@@ -8,7 +8,6 @@
 #include <compare>
 #include <optional>
 #include <string>
-#include <system_error>
 
 namespace plsc {
 
@@ -28,11 +27,6 @@ inline std::optional<FileId> FileIdOf(const std::string& path) {
   struct stat status {};
   if (stat(path.c_str(), &status) != 0) return std::nullopt;
   return IdOf(status);
-}
-
-/// "No such file or directory"
-inline std::string ReasonOf(int error) {
-  return std::error_code(error, std::generic_category()).message();
 }
 
 }  // namespace plsc

@@ -1,3 +1,7 @@
+// A printed genotype falls into its header, its name in the middle of that, and
+// its rules, by what Print writes between them and nowhere else. Joined they
+// are the text again, so a store can keep each rule and each header once.
+
 #include "runtime/store/genotype_parts.h"
 
 #include <cassert>

@@ -16,7 +16,7 @@ nlohmann::ordered_json HeritageJson(const Heritage& heritage,
   json["mutation"] = nullptr;
   json["mutated_rule"] = nullptr;
   if (heritage.mutation) {
-    json["mutation"] = MutationName(heritage.mutation->kind);
+    json["mutation"] = NameIn(kMutationNames, heritage.mutation->kind);
     json["mutated_rule"] = RuleNumber(*heritage.mutation);
   }
   json["senses"] = SensesJson(heritage.senses, states);

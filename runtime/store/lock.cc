@@ -1,3 +1,14 @@
+// A lock must not outlive its owner: it is the system's, on the open file, and
+// is gone however its owner ends. It is an open file description lock, since
+// the usual POSIX lock is dropped as soon as any part of the process closes the
+// file, which SQLite does. It lies on bytes that SQLite does not use, as many
+// as the number of the process, and so tells who holds it.
+//
+// The file may be replaced between opening and locking it, so afterwards its
+// name is asked again, and the whole is repeated where it means another file.
+// Within a process such a lock stops nobody, so what is held here is kept in a
+// table.
+
 #include "runtime/store/lock.h"
 
 #include <fcntl.h>
@@ -9,6 +20,7 @@
 #include <utility>
 
 #include "runtime/store/database.h"
+#include "runtime/text/system_reason.h"
 
 namespace plsc {
 
@@ -78,7 +90,7 @@ MaybeFailure RunLock::Take(const std::string& run) {
   while (true) {
     descriptor_ = open(run.c_str(), O_RDWR | O_CLOEXEC);
     if (descriptor_ < 0)
-      return fmt::format("cannot open '{}': {}", run, ReasonOf(errno));
+      return fmt::format("cannot open '{}': {}", run, SystemReason(errno));
     if (MaybeFailure failure = Lock(run)) return failure;
     // It may have been replaced between the two calls.
     if (FileIdOf(run) == file_) return std::nullopt;
@@ -91,7 +103,7 @@ MaybeFailure RunLock::TakeNew(const std::string& run, int descriptor) {
   // Another descriptor of the same open file, whose the lock is.
   descriptor_ = fcntl(descriptor, F_DUPFD_CLOEXEC, 0);
   if (descriptor_ < 0)
-    return fmt::format("cannot lock '{}': {}", run, ReasonOf(errno));
+    return fmt::format("cannot lock '{}': {}", run, SystemReason(errno));
   return Lock(run);
 }
 
@@ -104,7 +116,7 @@ MaybeFailure RunLock::Lock(const std::string& run) {
     if (is_held && !holder) continue;  // gone meanwhile
     close(std::exchange(descriptor_, -1));
     if (is_held) return InUse(run, *holder);
-    return fmt::format("cannot lock '{}': {}", run, ReasonOf(error));
+    return fmt::format("cannot lock '{}': {}", run, SystemReason(error));
   }
   struct stat status {};
   fstat(descriptor_, &status);

@@ -1,3 +1,9 @@
+// A new database is made in memory and written as one image, because SQLite
+// would make it in place with a journal beside it: a kill would leave half a
+// store under its name. Its identity (companions) goes into schema_version, the
+// one number of the header that SQLite keeps and does not interpret but for
+// changes.
+
 #include "runtime/store/make_database.h"
 
 #include <fmt/format.h>

@@ -1,8 +1,9 @@
 #include "runtime/store/names.h"
 
-#include <charconv>
 #include <nlohmann/json.hpp>
 
+#include "grammar/enum_names.h"
+#include "grammar/number.h"
 #include "runtime/text/json_dump.h"
 
 namespace plsc {
@@ -10,13 +11,6 @@ namespace plsc {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-template <typename Enum, typename Name>
-std::optional<Enum> Named(std::string_view name, Enum last, Name name_of) {
-  for (int i = 0; i <= static_cast<int>(last); ++i)
-    if (name_of(static_cast<Enum>(i)) == name) return static_cast<Enum>(i);
-  return std::nullopt;
-}
 
 std::string Dump(const Json& json) {
   // A text that is no UTF-8 would be an exception otherwise.
@@ -40,35 +34,10 @@ std::optional<std::vector<std::string>> TextsOf(const std::string& text) {
 
 }  // namespace
 
-std::optional<Outcome> OutcomeOf(std::string_view name) {
-  return Named(name, Outcome::kStopped, OutcomeName);
-}
-
-std::optional<Change> ChangeOf(std::string_view name) {
-  return Named(name, Change::kBody, ChangeName);
-}
-
-std::optional<Profile> ProfileOf(std::string_view name) {
-  return Named(name, Profile::kPublished, ProfileName);
-}
-
-std::optional<MutationKind> MutationOf(std::string_view name) {
-  return Named(name, MutationKind::kClause, MutationName);
-}
-
-std::optional<SenseSource> SourceOf(std::string_view name) {
-  return Named(name, SenseSource::kParent, SenseSourceName);
-}
-
 std::optional<std::uint64_t> WordOfHex(std::string_view digits) {
   constexpr std::size_t kDigits = 16;
-  constexpr int kBase = 16;
   if (digits.size() != kDigits) return std::nullopt;
-  std::uint64_t word = 0;
-  const char* end = digits.data() + digits.size();
-  const auto [stop, error] = std::from_chars(digits.data(), end, word, kBase);
-  if (error != std::errc{} || stop != end) return std::nullopt;
-  return word;
+  return ParseHex(digits);
 }
 
 std::optional<Key> KeyOfHex(std::string_view digits) {
@@ -89,7 +58,7 @@ std::string SensedText(const std::vector<SensedState>& sensed) {
 std::string SourcesText(const std::vector<SensedState>& sensed) {
   Json json = Json::object();
   for (const SensedState& state : sensed)
-    json[state.name] = SenseSourceName(state.from);
+    json[state.name] = NameIn(kSenseSourceNames, state.from);
   return Dump(json);
 }
 
@@ -103,7 +72,7 @@ std::optional<std::vector<SensedState>> SensedOf(const std::string& sensed,
     const auto from = by.find(name);
     if (!value.is_string() || from == by.end() || !from->is_string())
       return std::nullopt;
-    const auto source = SourceOf(from->get<std::string>());
+    const auto source = ValueIn(kSenseSourceNames, from->get<std::string>());
     if (!source) return std::nullopt;
     states.push_back({name, value.get<std::string>(), *source});
   }

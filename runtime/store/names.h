@@ -1,6 +1,6 @@
 #pragma once
 
-// Enumerators and small lists as the texts of a store's columns, and back.
+// Keys and small lists as the texts of a store's columns, and back.
 // What is no such text, as in a damaged file, is nothing.
 
 #include <map>
@@ -15,17 +15,10 @@
 
 namespace plsc {
 
-std::optional<Outcome> OutcomeOf(std::string_view name);
-std::optional<Change> ChangeOf(std::string_view name);
-std::optional<Profile> ProfileOf(std::string_view name);
-std::optional<MutationKind> MutationOf(std::string_view name);
-
 /// Of 32 hexadecimal digits, as Hex writes them.
 std::optional<Key> KeyOfHex(std::string_view digits);
 /// Of 16.
 std::optional<std::uint64_t> WordOfHex(std::string_view digits);
-
-std::optional<SenseSource> SourceOf(std::string_view name);
 
 /// {"inclined":"True","hot":"False"} and {"inclined":"imu","hot":"season"}.
 std::string SensedText(const std::vector<SensedState>& sensed);

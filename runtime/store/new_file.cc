@@ -1,3 +1,10 @@
+// A file without a name until it is whole: O_TMPFILE where the file system has
+// it, and a neighbour with a name of its own elsewhere. It is flushed to the
+// disk before it gets its name, else a power cut could leave the name with half
+// of the bytes. A link, unlike a renaming, replaces nothing, so of two
+// processes that make the same file one wins and the other is told; Replace
+// renames over what is there, in one step.
+
 #include "runtime/store/new_file.h"
 
 #include <fcntl.h>
@@ -10,6 +17,7 @@
 #include <utility>
 
 #include "runtime/store/file_id.h"
+#include "runtime/text/system_reason.h"
 
 namespace plsc {
 
@@ -68,7 +76,7 @@ void NewFile::OpenNamed() {
 
 MaybeFailure NewFile::failure() const {
   if (error_ == 0) return std::nullopt;
-  return fmt::format("cannot write to '{}': {}", path_, ReasonOf(error_));
+  return fmt::format("cannot write to '{}': {}", path_, SystemReason(error_));
 }
 
 MaybeFailure NewFile::Write(std::string_view text) {

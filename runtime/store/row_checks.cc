@@ -1,3 +1,10 @@
+// A row that is there is held to its checksum. A row that is not there is
+// harder: it may be missing by right, because the run has not come so far, or
+// by damage. How far the run is follows from two tables that must agree, which
+// robots there must then be from the experiment (IdsBornIn), and where both
+// leave it open (the generation that is under way) the table's pages are
+// checked for rows that went with one.
+
 #include "runtime/store/row_checks.h"
 
 #include <fmt/format.h>

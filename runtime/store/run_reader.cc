@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "compiler/compile.h"
+#include "grammar/enum_names.h"
 #include "runtime/store/names.h"
 #include "runtime/store/packing.h"
 #include "runtime/store/schema.h"
@@ -75,7 +76,7 @@ Simulated TakeSimulated(Statement& row, bool& is_damaged) {
   Simulated simulated;
   simulated.begin = row.TakeReal();
   simulated.inclination = row.TakeOptional();
-  simulated.outcome = Known(OutcomeOf(row.TakeText()), is_damaged);
+  simulated.outcome = Known(ValueIn(kOutcomeNames, row.TakeText()), is_damaged);
   simulated.reason = row.TakeText();
   const bool is_valid = row.TakeInteger() != 0;
   const auto values = TakeReals(row, List(Behaviour{}).size());
@@ -89,14 +90,14 @@ Simulated TakeSimulated(Statement& row, bool& is_damaged) {
 SeasonResult TakeResult(Statement& row, bool& is_damaged) {
   SeasonResult result;
   result.season = row.TakeText();
-  result.profile = Known(ProfileOf(row.TakeText()), is_damaged);
+  result.profile = Known(ValueIn(kProfileNames, row.TakeText()), is_damaged);
   result.begin = row.TakeReal();
   result.inclination = row.TakeOptional();
   const std::string sensed = row.TakeText();
   result.sensed = Known(SensedOf(sensed, row.TakeText()), is_damaged);
-  result.change = Known(ChangeOf(row.TakeText()), is_damaged);
+  result.change = Known(ValueIn(kChangeNames, row.TakeText()), is_damaged);
   result.change_reason = row.TakeText();
-  result.outcome = Known(OutcomeOf(row.TakeText()), is_damaged);
+  result.outcome = Known(ValueIn(kOutcomeNames, row.TakeText()), is_damaged);
   result.reason = row.TakeText();
   result.fitness = row.TakeOptional();
   const bool has_phenotype = row.TakeInteger() != 0;
@@ -129,8 +130,9 @@ Heritage TakeHeritage(Statement& row, bool& is_damaged) {
   const std::string kind = row.TakeText();
   const std::int64_t rule = row.TakeInteger();
   if (is_mutated)
-    heritage.mutation = Mutation{Known(MutationOf(kind), is_damaged),
-                                 static_cast<std::size_t>(rule)};
+    heritage.mutation =
+        Mutation{Known(ValueIn(kMutationNames, kind), is_damaged),
+                 static_cast<std::size_t>(rule)};
   heritage.senses = Known(SensesOf(row.TakeText()), is_damaged);
   return heritage;
 }

@@ -1,3 +1,19 @@
+// A run's file from the outside: made, opened, read, left. Two rules run
+// through it. Nothing is written to a file before everything in it has been
+// examined under the lock (Open looks, locks, examines, and only then connects
+// for writing), because a run that goes on from a damaged generation cannot be
+// told from a good one later. And before every transaction the file is asked
+// whether it still is the file of its name: a store that was deleted or
+// replaced while the run goes on would take results that nobody ever finds.
+//
+// Answers of several queries are of one instant (Transaction), as another
+// process may be writing. A worker's death that nothing was selected by yet is
+// forgotten when a run goes on, so that bad luck of one evening does not stay
+// in its results.
+//
+// At the end the journal is moved into the file, so that the file alone is the
+// run; whoever reads for long is not waited for.
+
 #include "runtime/store/run_store.h"
 
 #include <fmt/format.h>
@@ -24,6 +40,7 @@
 #include "runtime/store/schema.h"
 #include "runtime/store/schema_check.h"
 #include "runtime/store/verify.h"
+#include "runtime/text/system_reason.h"
 
 namespace plsc {
 
@@ -45,7 +62,7 @@ MaybeFailure CheckAbsent(const std::string& path) {
         path);
   const auto folder = std::filesystem::path(path).parent_path();
   if (access(folder.empty() ? "." : folder.c_str(), W_OK | X_OK) != 0)
-    return fmt::format("cannot create '{}': {}", path, ReasonOf(errno));
+    return fmt::format("cannot create '{}': {}", path, SystemReason(errno));
   return CheckNoCompanions(path);
 }
 

@@ -53,7 +53,7 @@ std::vector<std::string> Joined(std::vector<std::string> first,
   return first;
 }
 
-// -0 is stored as 0.
+// -0 is stored as 0, so it must not count as another result.
 std::uint64_t BitsOf(double value) {
   return std::bit_cast<std::uint64_t>(value == 0 ? 0 : value);
 }
@@ -220,7 +220,7 @@ void RunWriter::AddIndividual(const Individual& one) {
       if (!find.With(key...).Next()) return std::int64_t{0};
     }
     const std::int64_t id = find.TakeInteger();
-    find.Run();
+    find.Run();  // to its end, or the query stays open
     return id;
   };
   const Heritage& heritage = one.heritage;
@@ -229,7 +229,7 @@ void RunWriter::AddIndividual(const Individual& one) {
   std::optional<std::string> mutation;
   std::optional<std::int64_t> mutated_rule;
   if (heritage.mutation) {
-    mutation = MutationName(heritage.mutation->kind);
+    mutation = NameIn(kMutationNames, heritage.mutation->kind);
     mutated_rule = static_cast<std::int64_t>(heritage.mutation->rule);
   }
   individual_
@@ -276,10 +276,11 @@ void RunWriter::AddSeason(int individual, const SeasonResult& result,
       .With(individual, season->second,
             HexOf(evidence.phenotype, has_phenotype),
             HexOf(evidence.simulation, has_simulation),
-            ProfileName(result.profile), result.begin, result.inclination,
-            SensedText(result.sensed), SourcesText(result.sensed),
-            ChangeName(result.change), result.change_reason,
-            OutcomeName(result.outcome), result.reason, result.fitness, 0)
+            NameIn(kProfileNames, result.profile), result.begin,
+            result.inclination, SensedText(result.sensed),
+            SourcesText(result.sensed), NameIn(kChangeNames, result.change),
+            result.change_reason, OutcomeName(result.outcome), result.reason,
+            result.fitness, 0)
       .Run();
   sum_evaluation_
       .With(checksums_.OfEvaluation(individual, season->second), individual,
@@ -332,6 +333,7 @@ void RunWriter::AddSimulation(const SeasonEvidence& evidence) {
   simulation_.Run();
 }
 
+// All of the pool, not only who survived: how selection went can be seen later.
 MaybeFailure RunWriter::Completed(const GenerationRecord& record) {
   Transaction transaction(database_);
   std::map<int, std::int64_t> ranks;

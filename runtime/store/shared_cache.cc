@@ -1,10 +1,19 @@
+// A table from the key of a simulation to what it told, shared by any number of
+// runs and processes. A key says nothing of the program, so entries are kept by
+// engine, too: what is found was made by the same program on the same kind of
+// machine, or it is not found.
+//
+// No result may depend on it, so nothing that goes wrong here is an error of
+// the run: an entry whose checksum is wrong is dropped and simulated anew, a
+// file that cannot be used is not used any more, and a warning says so at the
+// end. The checksum is of key, engine and value together, so that a value in
+// the wrong row is no entry either.
+
 #include "runtime/store/shared_cache.h"
 
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -12,7 +21,6 @@
 #include "runtime/life/simulated.h"
 #include "runtime/store/make_database.h"
 #include "runtime/store/schema_check.h"
-#include "sim/machine_kind.h"
 
 namespace plsc {
 
@@ -107,14 +115,6 @@ int NumberOf(Database& database, const char* pragma) {
 }
 
 }  // namespace
-
-std::string ThisEngine() {
-  // The version alone would take a changed program for the same.
-  std::ifstream program("/proc/self/exe", std::ios::binary);
-  const std::string bytes((std::istreambuf_iterator<char>(program)),
-                          std::istreambuf_iterator<char>());
-  return fmt::format("{} {}", Hex(KeyOf(bytes)), MachineKind());
-}
 
 struct SharedCache::Statements {
   explicit Statements(Database& database)

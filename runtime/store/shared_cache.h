@@ -13,12 +13,9 @@
 #include "runtime/evolve/simulation_cache.h"
 #include "runtime/life/simulated.h"
 #include "runtime/store/database.h"
+#include "runtime/store/engine.h"
 
 namespace plsc {
-
-/// What simulations are a function of besides their keys: this very program
-/// file and the kind of the machine. Others' simulations are not found.
-std::string ThisEngine();
 
 /// Several processes may use one file at a time. Not to be used on both sides
 /// of a fork.

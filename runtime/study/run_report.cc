@@ -35,22 +35,6 @@ std::vector<SeasonSpeed> SpeedsOf(const Individual& best) {
 
 }  // namespace
 
-std::string_view StateName(RunState state) {
-  switch (state) {
-    case RunState::kMissing:
-      return "missing";
-    case RunState::kUnfinished:
-      return "unfinished";
-    case RunState::kRunning:
-      return "running";
-    case RunState::kDone:
-      return "done";
-    case RunState::kDamaged:
-      return "damaged";
-  }
-  return "";
-}
-
 RunReport ReportOn(const std::string& folder, const Study& study,
                    const StudyRun& run) {
   const std::string path = RunPath(folder, study, run);
@@ -61,7 +45,7 @@ RunReport ReportOn(const std::string& folder, const Study& study,
   const std::optional<std::string> worker = WhoWorksOn(path);
   RunStore store;
   if (auto failure = store.OpenForReading(path)) return Damaged(*failure);
-  if (store.experiment() != ExperimentOf(study, run))
+  if (!AreSame(store.experiment(), ExperimentOf(study, run)))
     return Damaged(fmt::format(
         "'{}' is a run of another experiment or seed than the study's", path));
   const Expected<RunStatus, Failure> status = store.Status();

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "grammar/enum_names.h"
 #include "runtime/study/study.h"
 
 namespace plsc {
@@ -21,8 +22,12 @@ enum class RunState : std::uint8_t {
   kDamaged,     ///< cannot be read, or is not the run of this study
 };
 
-/// "missing", "unfinished", ...
-std::string_view StateName(RunState state);
+inline constexpr EnumNames<RunState, 5> kRunStateNames{
+    {{RunState::kMissing, "missing"},
+     {RunState::kUnfinished, "unfinished"},
+     {RunState::kRunning, "running"},
+     {RunState::kDone, "done"},
+     {RunState::kDamaged, "damaged"}}};
 
 /// Of the best robot of the last completed generation.
 struct SeasonSpeed {

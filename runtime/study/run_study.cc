@@ -1,3 +1,10 @@
+// Runs one by one, each decided by what its store says at this moment: begun if
+// it is missing, gone on with if it is unfinished, left if it is done or
+// another process works on it. Nobody hands out runs. Any number of processes
+// on any number of hosts go through the same list, the lock of a store is what
+// keeps two off one run, and whoever loses the race for it goes on with the
+// next; so a study needs no coordinator and survives any of its processes.
+
 #include "runtime/study/run_study.h"
 
 #include "runtime/study/study_folder.h"

@@ -2,8 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
-
+#include "grammar/number.h"
 #include "grammar/suggest.h"
 
 namespace plsc {
@@ -12,15 +11,6 @@ namespace {
 
 // As many jobs as the largest clusters take in an array.
 constexpr int kMaxShards = 1'000'000;
-
-std::optional<int> ParseNumber(std::string_view text) {
-  int number = 0;
-  const char* end = text.data() + text.size();
-  const auto [stop, failure] = std::from_chars(text.data(), end, number);
-  if (failure != std::errc{} || stop != end || text.empty())
-    return std::nullopt;
-  return number;
-}
 
 bool IsNamed(const Study& study, const StudyRun& run, std::string_view only) {
   return only.empty() || only == study.experiments[run.experiment].name ||
@@ -32,8 +22,8 @@ bool IsNamed(const Study& study, const StudyRun& run, std::string_view only) {
 std::optional<Shard> ParseShard(std::string_view text) {
   const std::size_t slash = text.find('/');
   if (slash == std::string_view::npos) return std::nullopt;
-  const auto number = ParseNumber(text.substr(0, slash));
-  const auto count = ParseNumber(text.substr(slash + 1));
+  const auto number = ParseNumber<int>(text.substr(0, slash));
+  const auto count = ParseNumber<int>(text.substr(slash + 1));
   if (!number || !count || *number < 1 || *number > *count ||
       *count > kMaxShards)
     return std::nullopt;

@@ -1,3 +1,8 @@
+// The folder says by its study.yaml which study it is of, with every value
+// written out, and is refused to any other: results of two studies in one
+// folder would be compared as if they were one. Of several processes that begin
+// at once one makes that file (store/new_file) and the others find it.
+
 #include "runtime/study/study_folder.h"
 
 #include <fmt/format.h>

@@ -1,7 +1,8 @@
 #include "runtime/text/csv_cell.h"
 
-#include <charconv>
 #include <string_view>
+
+#include "grammar/number.h"
 
 namespace plsc {
 
@@ -9,10 +10,9 @@ namespace {
 
 bool IsNumber(std::string_view text) {
   if (text.starts_with('+')) text.remove_prefix(1);
-  double number = 0;
-  const char* end = text.data() + text.size();
-  const auto [rest, error] = std::from_chars(text.data(), end, number);
-  return error == std::errc() && rest == end;
+  const LeadingNumber<double> number = ReadNumber<double>(text);  // or inf
+  return number.kind == LeadingNumber<double>::Kind::kFits &&
+         number.length == text.size();
 }
 
 // https://owasp.org/www-community/attacks/CSV_Injection

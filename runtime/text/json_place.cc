@@ -1,3 +1,13 @@
+// nlohmann-json does not tell where a value stands. Texts that parsed are
+// scanned a second time, only when there is something to report, by brackets
+// and quotes alone: the path of keys and indices to the value is followed from
+// the beginning. Linear in the text for each question, which is why readers
+// stop after some errors (kMaxErrors).
+//
+// Two questions are asked before parsing, because the library would answer them
+// by overflowing the stack or silently: how deep the text nests, and whether a
+// key is there twice.
+
 #include "runtime/text/json_place.h"
 
 #include <unordered_set>

@@ -1,3 +1,9 @@
+// Strict reading of a value that was parsed: what has another type or range,
+// what is missing and what nobody knows are errors with the path to their
+// value, which json_place turns into a place. Errors give a harmless value and
+// reading goes on, so that all of a file are found at once; at most kMaxErrors,
+// as each costs a scan of the text.
+
 #include "runtime/text/json_reader.h"
 
 #include <fmt/format.h>

@@ -1,13 +1,22 @@
+// A unit is two factors, one to multiply and one to divide by: 35 cm is 35 /
+// 100 m, to the last bit the double that "0.35 m" is, while 35 * 0.01 is
+// another one. Files written in either way are thereby equal experiments, with
+// equal keys.
+//
+// What is not accepted is guessed at from a table of other names and larger
+// units; a guess is offered only if it would be accepted itself, range
+// included.
+
 #include "runtime/text/quantity.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <numbers>
 #include <vector>
 
+#include "grammar/number.h"
 #include "grammar/suggest.h"
 
 namespace plsc {
@@ -118,8 +127,7 @@ bool IsAccepted(const std::string& text, const Quantity& quantity) {
 std::vector<std::string> Meant(std::string_view number, std::string_view unit,
                                const Quantity& quantity) {
   std::vector<std::string> meant;
-  double value = 0;
-  std::from_chars(number.data(), number.data() + number.size(), value);
+  const double value = ReadNumber<double>(number).value;
   const bool has_unit = !InfoOf(quantity.dimension).units.empty();
   const auto add = [&](std::string_view text, std::string_view known) {
     meant.push_back(known.empty() ? std::string(text)
@@ -134,7 +142,7 @@ std::vector<std::string> Meant(std::string_view number, std::string_view unit,
   }
   if (!has_unit) {
     if (unit == "%" || unit == "percent" || unit == "per cent")
-      add(fmt::format("{}", value / 100), "");
+      add(PrintPlainNumber(value / 100), "");
     else
       add(number, "");
     return meant;
@@ -150,7 +158,7 @@ std::vector<std::string> Meant(std::string_view number, std::string_view unit,
     if (alias.name == unit &&
         std::find(names.begin(), names.end(), alias.unit) != names.end())
       add(alias.times == 1 ? std::string(number)
-                           : fmt::format("{}", value * alias.times),
+                           : PrintPlainNumber(value * alias.times),
           alias.unit);
   // "m/s" is no slip of the pen for "ms".
   if (const auto near = Suggest(unit, names);
@@ -205,7 +213,8 @@ std::string RangeHelp(double value, const Quantity& quantity) {
   const bool is_share = quantity.dimension == Dimension::kNumber &&
                         quantity.low == 0 && quantity.high == 1;
   if (!is_share || value <= 1 || value > 100) return "";
-  return fmt::format("write '{}' for {} %", value / 100, value);
+  return fmt::format("write '{}' for {} %", PrintPlainNumber(value / 100),
+                     PrintPlainNumber(value));
 }
 
 std::optional<QuantityError> CheckRange(double value,
@@ -235,18 +244,15 @@ std::optional<QuantityError> CheckRange(double value,
 ParsedQuantity ParseQuantity(std::string_view text, const Quantity& quantity) {
   const DimensionInfo& info = InfoOf(quantity.dimension);
   text = Trim(text);
-  // from_chars also reads "inf" and "nan", which are not quantities here.
+  // "inf" and "nan" are numbers, but no quantities.
   const std::size_t digit = text.starts_with('-') ? 1 : 0;
   const bool has_digit =
       digit < text.size() &&
       ((text[digit] >= '0' && text[digit] <= '9') || text[digit] == '.');
-  double number = 0;
-  const auto [end, failure] =
-      std::from_chars(text.data(), text.data() + text.size(), number);
-  if (!has_digit || failure == std::errc::invalid_argument)
-    return NotANumber(text, quantity);
-  const auto length = static_cast<std::size_t>(end - text.data());
-  if (failure == std::errc::result_out_of_range)
+  using Kind = LeadingNumber<double>::Kind;
+  const auto [kind, number, length] = ReadNumber<double>(text);
+  if (!has_digit || kind == Kind::kNone) return NotANumber(text, quantity);
+  if (kind == Kind::kOutOfRange)
     return {0, QuantityError{QuantityError::Kind::kRange,
                              fmt::format("{} does not fit a 64-bit "
                                          "floating-point number",
@@ -284,15 +290,16 @@ std::string ExampleOf(const Quantity& quantity) {
 
 std::string PrintQuantity(double value, Dimension dimension) {
   const DimensionInfo& info = InfoOf(dimension);
-  if (dimension == Dimension::kNumber) return fmt::format("{}", value);
+  if (dimension == Dimension::kNumber) return PrintPlainNumber(value);
   if (dimension != Dimension::kAngle)
-    return fmt::format("{} {}", value, info.units.front().name);
+    return fmt::format("{} {}", PrintPlainNumber(value),
+                       info.units.front().name);
   // 12 digits hide that 5 degrees are not a round number of radians.
   std::string degrees =
-      fmt::format("{:.12g} deg", value * 180 / std::numbers::pi);
+      PrintRoundedNumber(value * 180 / std::numbers::pi, 12) + " deg";
   const ParsedQuantity back = ParseQuantity(degrees, {dimension});
   if (!back.error && back.value == value) return degrees;
-  return fmt::format("{} rad", value);
+  return PrintPlainNumber(value) + " rad";
 }
 
 std::string_view DimensionName(Dimension dimension) {

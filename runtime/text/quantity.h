@@ -12,6 +12,9 @@
 
 namespace plsc {
 
+/// The paper gives Speed and Fitness in cm/s; all numbers inside are SI.
+inline constexpr double kCentimetres = 100;
+
 enum class Dimension : std::uint8_t {
   kNumber,  ///< without a unit
   kTime,

@@ -1,3 +1,8 @@
+// The line edits of compiler/changes/line_edits as hunks with context, as `diff
+// -u` prints them: two runs of changes that are nearer than twice the context
+// share a hunk. A last line without an end is marked as diff does, or patching
+// would add one.
+
 #include "runtime/text/unified_diff.h"
 
 #include <fmt/format.h>

@@ -2,17 +2,26 @@
 
 namespace plsc {
 
+std::string_view XmlEntity(char c) {
+  switch (c) {
+    case '&':
+      return "&amp;";
+    case '<':
+      return "&lt;";
+    case '>':
+      return "&gt;";
+    case '"':
+      return "&quot;";
+    default:
+      return "";
+  }
+}
+
 std::string EscapeXml(std::string_view text) {
   std::string escaped;
   for (const char c : text) {
-    if (c == '&')
-      escaped += "&amp;";
-    else if (c == '<')
-      escaped += "&lt;";
-    else if (c == '>')
-      escaped += "&gt;";
-    else if (c == '"')
-      escaped += "&quot;";
+    if (const std::string_view entity = XmlEntity(c); !entity.empty())
+      escaped += entity;
     else if (static_cast<unsigned char>(c) >= ' ')
       escaped += c;
   }

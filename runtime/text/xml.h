@@ -15,6 +15,9 @@ namespace plsc {
 /// cannot hold.
 std::string EscapeXml(std::string_view text);
 
+/// How XML writes a character of its own; empty for all others.
+std::string_view XmlEntity(char c);
+
 struct XmlElement {
   std::string name;
   std::vector<std::pair<std::string, std::string>> attributes = {};

@@ -1,3 +1,20 @@
+// yaml-cpp reads what YAML allows, and that is more than a file of ours may
+// say: keys twice, words for truth that change from version to version, numbers
+// in octal, several documents. So only scalars, maps and lists are taken from
+// it, as texts with places, and what they mean is read here and in quantity and
+// yaml_words, strictly.
+//
+// A map knows the keys that it was asked for; when it is closed, what it has
+// and nobody asked for is unknown, and the nearest key that is asked for and
+// not given is what was meant. That is why every key is asked for, also those
+// whose value is not needed, and why Close comes last.
+//
+// All errors of a file are found in one go: an error gives the default and
+// reading goes on. Values are shared pointers into one document, so that a
+// value may outlive its map. A hostile file can nest references until they fill
+// memory when they are walked; who walks all of a value counts first
+// (CountValues).
+
 #include "runtime/text/yaml_reader.h"
 
 #include <fmt/format.h>
@@ -5,10 +22,10 @@
 #include <yaml-cpp/yaml.h>
 
 #include <algorithm>
-#include <charconv>
 #include <sstream>
 #include <unordered_set>
 
+#include "grammar/number.h"
 #include "grammar/reporter.h"
 #include "grammar/screen.h"
 #include "grammar/suggest.h"
@@ -223,10 +240,9 @@ std::optional<std::int64_t> YamlValue::Integer(
     std::int64_t low, std::int64_t high,
     std::optional<std::int64_t> usual) const {
   constexpr std::string_view kExpected = "a whole number";
-  std::int64_t number = 0;
   const std::string written = is_scalar() ? text() : "";
-  const char* end = written.data() + written.size();
-  const auto [stop, failure] = std::from_chars(written.data(), end, number);
+  using Read = LeadingNumber<std::int64_t>;
+  const Read read = ReadNumber<std::int64_t>(written);
   const auto is_right = [&](std::int64_t value) {
     return value >= low && value <= high;
   };
@@ -236,8 +252,7 @@ std::optional<std::int64_t> YamlValue::Integer(
     ReportQuoted(kExpected, WholeNumberText(written, is_right), example);
     return std::nullopt;
   }
-  if (written.empty() || stop != end ||
-      failure == std::errc::invalid_argument) {
+  if (read.length != written.size() || read.kind == Read::Kind::kNone) {
     const std::string meant = WholeNumberText(written, is_right);
     Report(Code::kWrongKind,
            fmt::format("expected {}, found {}", kExpected, Found(node_->node)),
@@ -246,7 +261,7 @@ std::optional<std::int64_t> YamlValue::Integer(
            meant);
     return std::nullopt;
   }
-  if (failure == std::errc{} && is_right(number)) return number;
+  if (read.kind == Read::Kind::kFits && is_right(read.value)) return read.value;
   Report(Code::kOutOfRange,
          low == high
              ? fmt::format("expected {}, found {}", low, written)
@@ -256,18 +271,14 @@ std::optional<std::int64_t> YamlValue::Integer(
 }
 
 std::optional<std::uint64_t> YamlValue::Unsigned() const {
-  std::uint64_t number = 0;
   const std::string written = is_scalar() ? text() : "";
-  const char* end = written.data() + written.size();
-  const auto [stop, failure] = std::from_chars(written.data(), end, number);
-  const bool is_number =
-      !written.empty() && stop == end && failure == std::errc{};
-  if (is_number && !is_quoted()) return number;
+  const auto number = ParseNumber<std::uint64_t>(written);
+  if (number && !is_quoted()) return number;
   const std::string expected = fmt::format(
       "a whole number of 0 to {}", std::numeric_limits<std::uint64_t>::max());
   const auto is_right = [](std::int64_t value) { return value >= 0; };
   const std::string meant =
-      is_number ? written : WholeNumberText(written, is_right);
+      number ? written : WholeNumberText(written, is_right);
   if (is_quoted())
     ReportQuoted(expected, meant, "1");
   else
@@ -314,14 +325,13 @@ std::optional<std::string> YamlValue::Text(std::string_view what) const {
   return std::nullopt;
 }
 
-std::optional<std::size_t> YamlValue::Choice(
-    const std::vector<std::string>& names) const {
+std::optional<std::size_t> YamlValue::IndexIn(
+    const std::vector<std::string_view>& names) const {
   const std::string written = is_scalar() ? text() : "";
   const auto found = std::find(names.begin(), names.end(), written);
   if (found != names.end())
     return static_cast<std::size_t>(found - names.begin());
-  const std::vector<std::string_view> known(names.begin(), names.end());
-  const auto nearest = Suggest(written, known);
+  const auto nearest = Suggest(written, names);
   Report(is_scalar() ? Code::kUnknownWord : Code::kWrongKind,
          fmt::format("expected {}, found {}", fmt::join(names, " or "),
                      Found(node_->node)),
@@ -417,12 +427,6 @@ bool YamlMap::Bool(std::string_view key, bool otherwise) {
 std::string YamlMap::Text(std::string_view key, const std::string& otherwise) {
   const std::optional<YamlValue> value = Find(key);
   return value ? value->Text("a name").value_or(otherwise) : otherwise;
-}
-
-std::size_t YamlMap::Choice(std::string_view key, std::size_t otherwise,
-                            const std::vector<std::string>& names) {
-  const std::optional<YamlValue> value = Find(key);
-  return value ? value->Choice(names).value_or(otherwise) : otherwise;
 }
 
 void YamlMap::Close() const {

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "grammar/diagnostic.h"
+#include "grammar/enum_names.h"
 #include "runtime/text/quantity.h"
 
 namespace plsc {
@@ -47,9 +48,11 @@ class YamlValue {
   std::optional<bool> Bool() const;               ///< true, True, false, False
   /// A scalar that is not empty. `what` says what it is: "a name".
   std::optional<std::string> Text(std::string_view what) const;
-  /// Index into `names`.
-  std::optional<std::size_t> Choice(
-      const std::vector<std::string>& names) const;
+  template <typename E, std::size_t N>
+  std::optional<E> Choice(const EnumNames<E, N>& names) const {
+    const std::optional<std::size_t> index = IndexIn(AllNames(names));
+    return index ? std::optional(names[*index].first) : std::nullopt;
+  }
   std::optional<std::vector<YamlValue>> List(std::string_view what) const;
   std::optional<YamlMap> Map(std::string_view what) const;
 
@@ -71,6 +74,8 @@ class YamlValue {
   std::size_t error_count() const;
 
  private:
+  std::optional<std::size_t> IndexIn(
+      const std::vector<std::string_view>& names) const;
   void ReportQuoted(std::string_view expected, const std::string& meant,
                     const std::string& example) const;
 
@@ -102,8 +107,12 @@ class YamlMap {
   int Int(std::string_view key, int otherwise, int low, int high);
   bool Bool(std::string_view key, bool otherwise);
   std::string Text(std::string_view key, const std::string& otherwise);
-  std::size_t Choice(std::string_view key, std::size_t otherwise,
-                     const std::vector<std::string>& names);
+  template <typename E, std::size_t N>
+  E Choice(std::string_view key, std::type_identity_t<E> otherwise,
+           const EnumNames<E, N>& names) {
+    const std::optional<YamlValue> value = Find(key);
+    return value ? value->Choice(names).value_or(otherwise) : otherwise;
+  }
 
   /// Reports keys that nobody asked for, with the nearest known one.
   void Close() const;

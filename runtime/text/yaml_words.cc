@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <vector>
 
+#include "grammar/number.h"
 #include "grammar/suggest.h"
 
 namespace plsc {
@@ -46,13 +46,12 @@ bool IsOneOf(const std::array<std::string_view, N>& words,
 
 std::optional<std::int64_t> WholeNumberMeant(std::string text) {
   text = WithoutSeparators(std::move(text));
-  double number = 0;
-  const char* end = text.data() + text.size();
-  const auto [stop, failure] = std::from_chars(text.data(), end, number);
-  const std::string_view rest(stop, static_cast<std::size_t>(end - stop));
+  const LeadingNumber<double> read = ReadNumber<double>(text);
+  const double number = read.value;
+  const std::string_view rest = std::string_view(text).substr(read.length);
   constexpr double kExact = 9007199254740992;  // 2^53
-  if (failure != std::errc{} || rest.starts_with(',') ||
-      rest.find('%') != std::string_view::npos ||
+  if (read.kind != LeadingNumber<double>::Kind::kFits ||
+      rest.starts_with(',') || rest.find('%') != std::string_view::npos ||
       rest.find("cent") != std::string_view::npos ||
       !(std::abs(number) <= kExact) || number != std::floor(number))
     return std::nullopt;

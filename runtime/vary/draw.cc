@@ -52,7 +52,7 @@ Term DrawTerm(const std::vector<State>& states, Rng& rng) {
 }
 
 Term DrawComparison(const std::vector<State>& states, StateId id, Rng& rng) {
-  const State& state = states[static_cast<std::size_t>(id)];
+  const State& state = StateAt(states, id);
   Term term;
   term.state = id;
   switch (state.type) {

@@ -60,7 +60,7 @@ Term ChangeEnumTerm(Term term, std::size_t values, Rng& rng) {
 }
 
 Term ChangeTerm(const Term& term, const std::vector<State>& states, Rng& rng) {
-  const State& state = states[static_cast<std::size_t>(term.state)];
+  const State& state = StateAt(states, term.state);
   Term changed = term;
   switch (state.type) {
     case StateType::kBool:
@@ -126,21 +126,6 @@ std::size_t Meant(const std::vector<Symbol>& production, std::size_t index,
 }
 
 }  // namespace
-
-std::string_view MutationName(MutationKind kind) {
-  switch (kind) {
-    case MutationKind::kDelete:
-      return "delete";
-    case MutationKind::kSwap:
-      return "swap";
-    case MutationKind::kAdd:
-      return "add";
-    case MutationKind::kClause:
-      return "clause";
-  }
-  assert(false);
-  return "";
-}
 
 Mutation DrawMutation(const Genotype& genotype, Encoding encoding, Rng& rng,
                       const MutationOptions& options) {

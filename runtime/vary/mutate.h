@@ -8,14 +8,18 @@
 #include <optional>
 #include <string_view>
 
+#include "grammar/enum_names.h"
 #include "runtime/vary/initialise.h"
 
 namespace plsc {
 
 enum class MutationKind : std::uint8_t { kDelete, kSwap, kAdd, kClause };
 
-/// "delete", "swap", "add", "clause", as logs name it.
-std::string_view MutationName(MutationKind kind);
+inline constexpr EnumNames<MutationKind, 4> kMutationNames{
+    {{MutationKind::kDelete, "delete"},
+     {MutationKind::kSwap, "swap"},
+     {MutationKind::kAdd, "add"},
+     {MutationKind::kClause, "clause"}}};
 
 /// Where a symbol may be added; never before C.
 enum class InsertionPoint : std::uint8_t {

@@ -1,7 +1,5 @@
 #include "runtime/workers/mpi_link.h"
 
-#ifdef PLSC_HAS_MPI
-
 #include <mpi.h>
 
 #include <cassert>
@@ -87,15 +85,3 @@ std::unique_ptr<RankLink> ConnectRanks() {
 }
 
 }  // namespace plsc
-
-#else
-
-namespace plsc {
-
-std::unique_ptr<RankLink> ConnectRanks() {
-  return nullptr;
-}
-
-}  // namespace plsc
-
-#endif

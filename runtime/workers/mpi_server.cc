@@ -1,3 +1,9 @@
+// A relay between MPI and a pool. It never has more requests in its pool than
+// there are workers, so that those that wait can be taken back (kCancel); what
+// it cannot do any more it says, and rank 0 gives what it had to others.
+// Nothing waits inside MPI: it looks for messages, waits for its workers'
+// sockets in between, and longer each time that nothing comes.
+
 #include "runtime/workers/mpi_server.h"
 
 #include <poll.h>

@@ -15,6 +15,9 @@
 // there and back, but only while more wait than there are workers: towards the
 // end of a generation a request that waits behind a long simulation would hold
 // up all.
+//
+// A request waits for a look at its message, 10 ms at most (mpi_pause), on
+// either end of its way, beside simulations that take a second.
 
 #include "runtime/workers/mpi_workers.h"
 

@@ -1,3 +1,10 @@
+// How many cores may this process use? What the machine has is the wrong answer
+// in a container and in a batch job. Two limits are asked for: the set of cores
+// that it is bound to, and the time that its control groups grant (both
+// versions of them, each group and all above it, since a group cannot give what
+// its parent has not). The smaller counts, rounded up. Ranks of one machine
+// share what they have together, which their launcher's process is bound to.
+
 #include "runtime/workers/worker_count.h"
 
 #include <sched.h>

@@ -1,3 +1,8 @@
+// A mark, a length, the text. The mark is no protocol but a check: what a
+// worker's library prints to its descriptor by mistake, or the remains of a
+// crash, begins otherwise, and its owner then takes it for broken instead of
+// waiting for a length that is noise.
+
 #include "runtime/workers/worker_frame.h"
 
 #include <algorithm>

@@ -141,7 +141,7 @@ void WorkerPool::HandOut() {
 }
 
 std::vector<Reply> WorkerPool::Wait(int timeout_ms) {
-  HandOut();
+  HandOut();  // what a death has put back
   std::vector<Reply> replies;
   if (outstanding() == 0 || failure_) return replies;
   const double begin = Now();

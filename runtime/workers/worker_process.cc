@@ -1,3 +1,11 @@
+// A forked process that answers requests until its socket ends. After the fork
+// it has copies of all that its owner had open: everything but its own socket
+// is closed, or a run's file and its locks would live on in it. It dies with
+// its owner, also with one that was gone before it could ask for that, ignores
+// what is meant for the group, and dies by the default of signals that mean a
+// crash, so that the owner can tell which. It ends by _exit: handlers and
+// buffers are the owner's.
+
 #include "runtime/workers/worker_process.h"
 
 #include <fmt/format.h>
@@ -8,6 +16,10 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdlib>
+#include <filesystem>
+#include <system_error>
+#include <vector>
 
 #include "runtime/workers/worker_frame.h"
 
@@ -44,7 +56,15 @@ bool ReceiveSome(FrameReader& reader) {
 
 void KeepOnly(int socket) {
   if (socket != kSocket) dup2(socket, kSocket);
-  close_range(kSocket + 1, ~0U, 0);
+  if (close_range(kSocket + 1, ~0U, 0) == 0) return;
+  // Linux before 5.9, as many clusters have it.
+  std::vector<int> open;
+  std::error_code ignored;
+  for (const auto& entry :
+       std::filesystem::directory_iterator("/proc/self/fd", ignored))
+    open.push_back(std::atoi(entry.path().filename().c_str()));
+  for (const int descriptor : open)
+    if (descriptor > kSocket) close(descriptor);
 }
 
 void SetSignals(pid_t owner) {

@@ -1,3 +1,8 @@
+// Workers that are forked before the run is known get it with each request, as
+// text in front of it. Comparing it with the last one is all that it costs
+// where the run stays the same; so no rank has to be told in the right order,
+// and a worker that replaces a dead one needs nothing special.
+
 #include "runtime/workers/worker_setup.h"
 
 #include <cassert>

@@ -16,7 +16,8 @@
 
 namespace {
 
-using plsc::MutationName;
+using plsc::kMutationNames;
+using plsc::NameIn;
 using plsc::Print;
 using plsc::Source;
 
@@ -42,17 +43,18 @@ void Count(std::uint64_t number, Counts& counts) {
     ++counts.conflicts;
     counts.avoidable += pair.composed.has_value();
     if (counts.conflicts <= 10)
-      fmt::print(
-          "  {} {}+{}{} {}\n", number, MutationName(pair.our_mutation.kind),
-          MutationName(pair.their_mutation.kind),
-          pair.composed ? " avoidable" : "", merged.conflicts.front().message);
+      fmt::print("  {} {}+{}{} {}\n", number,
+                 NameIn(kMutationNames, pair.our_mutation.kind),
+                 NameIn(kMutationNames, pair.their_mutation.kind),
+                 pair.composed ? " avoidable" : "",
+                 merged.conflicts.front().message);
     return;
   }
   if (!pair.composed) {
     ++counts.undecided;
     fmt::print("{}: clean, though both touch the same ({}+{})\n", number,
-               MutationName(pair.our_mutation.kind),
-               MutationName(pair.their_mutation.kind));
+               NameIn(kMutationNames, pair.our_mutation.kind),
+               NameIn(kMutationNames, pair.their_mutation.kind));
     return;
   }
   const auto program = plsc::Compile(Source("merged", merged.text));
@@ -61,8 +63,8 @@ void Count(std::uint64_t number, Counts& counts) {
   if (!is_right) {
     ++counts.wrong;
     fmt::print("{}: not the composition ({}+{})\n", number,
-               MutationName(pair.our_mutation.kind),
-               MutationName(pair.their_mutation.kind));
+               NameIn(kMutationNames, pair.our_mutation.kind),
+               NameIn(kMutationNames, pair.their_mutation.kind));
   }
 }
 

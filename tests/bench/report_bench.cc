@@ -24,7 +24,7 @@
 #include <sstream>
 #include <string>
 
-#include "runtime/cli/arguments/command.h"
+#include "runtime/cli/run.h"
 #include "runtime/develop/phenotype_json.h"
 #include "runtime/evolve/evolve.h"
 #include "runtime/life/simulated.h"

@@ -155,7 +155,7 @@ TEST_CASE("What is inserted ends its lines as the text does", "[apply_fixes]") {
 TEST_CASE("A million changes are made", "[apply_fixes]") {
   std::string text;
   for (int i = 0; i < 1'000'000; ++i) text += "a\n";
-  std::vector<Diagnostic> diagnostics(1000);
+  std::vector<Diagnostic> diagnostics(1000, WithFixes({}));
   for (std::size_t i = 0; i < diagnostics.size(); ++i)
     for (std::size_t k = 0; k < 1000; ++k) {
       const auto at = static_cast<std::uint32_t>(2 * (1000 * k + i));

@@ -1,7 +1,6 @@
 #include "compiler/print.h"
 
 #include <catch2/catch.hpp>
-#include <limits>
 
 #include "compiler/compiled.h"
 
@@ -40,16 +39,6 @@ rule B -> if a = True then {
 
 environment e { a = True, r = 1 }
 )");
-}
-
-TEST_CASE("Numbers print in the shortest form that reads back", "[print]") {
-  CHECK(PrintNumber(0.1) == "0.1");
-  CHECK(PrintNumber(-0.0) == "-0");
-  CHECK(PrintNumber(1) == "1");
-  CHECK(PrintNumber(100000) == "1e+05");
-  CHECK(PrintNumber(std::numeric_limits<double>::max()) ==
-        "1.7976931348623157e+308");
-  CHECK(PrintNumber(std::numeric_limits<double>::denorm_min()) == "5e-324");
 }
 
 TEST_CASE("Whole numbers print without an exponent", "[print]") {

@@ -1,4 +1,5 @@
 #include "grammar/source.h"
+#include "grammar/utf8.h"
 
 #include <catch2/catch.hpp>
 
@@ -79,7 +80,7 @@ TEST_CASE("Places are right on a line of any length", "[source]") {
         source.LineBegin(source.PositionOf(offset).line);
     int column = 1;
     for (std::uint32_t i = begin; i < offset; ++i)
-      column += (static_cast<unsigned char>(text[i]) & 0xC0U) != 0x80U ? 1 : 0;
+      column += GoesOn(text[i]) ? 0 : 1;
     CHECK(source.PositionOf(offset).column == column);
   }
 }

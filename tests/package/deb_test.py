@@ -28,6 +28,7 @@ def main():
         for needed in ("libode8", "libyaml-cpp0.7", "libsqlite3-0", "libfmt9"):
             assert needed in depends, (needed, depends)
         assert "-dev" not in depends, depends  # nothing to build with
+        assert "r-mathlib" not in depends, depends  # is under the GPL
         assert "libode-dev" in run("dpkg-deb", "-f", library, "Depends")
 
         root = folder / "root"

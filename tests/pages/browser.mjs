@@ -52,8 +52,8 @@ async function launch() {
 const notOurs = /swiftshader|GPU stall|GL Driver Message|Automatic fallback to software WebGL/i;
 
 // Opens the file and calls use(page); size is desktop or phone. `prepare` runs
-// in the page before any script of its own.
-export async function withPage(file, size, use, prepare) {
+// in the page before any script of its own; `hash` is where it is opened at.
+export async function withPage(file, size, use, { prepare, hash = "" } = {}) {
   const context = await (await launch()).newContext({ viewport: size, acceptDownloads: true });
   if (prepare) await context.addInitScript(prepare);
   const page = await context.newPage();
@@ -65,14 +65,14 @@ export async function withPage(file, size, use, prepare) {
   });
   page.on("pageerror", (error) => wrongs.push(`exception: ${error.stack}`));
   page.on("request", (request) => {
-    if (request.url() !== url && !/^(data|blob):/.test(request.url())) wrongs.push(`request: ${request.url()}`);
+    if (request.url().split("#")[0] !== url && !/^(data|blob):/.test(request.url())) wrongs.push(`request: ${request.url()}`);
   });
   page.on("dialog", (dialog) => {
     wrongs.push(`dialog: ${dialog.message()}`); // a script of somebody's name ran
     dialog.dismiss();
   });
   try {
-    await page.goto(url);
+    await page.goto(hash ? `${url}#${hash}` : url);
     await use(page);
     assert.deepEqual(wrongs, []);
   } finally {
@@ -86,15 +86,33 @@ export async function assertFitsWidth(page) {
   assert.ok(content <= window, `the page is ${content} px wide on ${window} px`);
 }
 
-// Presses the button (a locator) and gives the file that it hands out.
+// Presses the button (a locator) and gives the file that it hands out. Chromium
+// drops all but ten downloads of a page a second, without a word.
 export async function downloaded(page, button) {
-  // Chromium drops all but ten downloads of a page a second, without a word.
-  await page.waitForTimeout(120);
   const [file] = await Promise.all([page.waitForEvent("download"), button.click()]);
   const stream = await file.createReadStream();
   let text = "";
   for await (const piece of stream) text += piece;
   return { name: file.suggestedFilename(), text };
+}
+
+// For pages with more buttons than that: to be prepared with `keepFiles`, which
+// keeps what would be downloaded in the page.
+export function keepFiles() {
+  window.keptFiles = [];
+  const click = HTMLElement.prototype.click;
+  HTMLAnchorElement.prototype.click = function () {
+    if (this.download) window.keptFiles.push({ name: this.download, url: this.href });
+    else click.call(this);
+  };
+}
+export async function handedOut(page, button) {
+  await button.click();
+  return page.evaluate(async () => {
+    const [{ name, url }, ...more] = window.keptFiles.splice(0);
+    if (more.length > 0) throw new Error(`also ${more.map((one) => one.name)}`);
+    return { name, text: await (await fetch(url)).text() };
+  });
 }
 
 // Kept for people to look at, if PLSC_SCREENSHOTS names a folder.

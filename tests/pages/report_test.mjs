@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { copyFileSync, cpSync, mkdirSync, readFileSync, rmSync, statSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { before, test } from "node:test";
-import { assertFitsWidth, desktop, downloaded, phone, plsc, scratch, screenshot, withPage } from "./browser.mjs";
+import { assertFitsWidth, desktop, downloaded, handedOut, keepFiles, phone, plsc, scratch, screenshot, withPage } from "./browser.mjs";
 
 const hostile = `</script><img src=x onerror="alert('study')"><!-- ` + "`${alert(1)}`";
 const study = `plsc_study: 1
@@ -148,7 +148,7 @@ test("each button gives its file", () =>
     const names = new Set();
     for (let i = 0; i < count; ++i) {
       const button = buttons.nth(i);
-      const { name, text } = await downloaded(page, button);
+      const { name, text } = await handedOut(page, button);
       assert.ok(!names.has(name), `${name} twice`);
       names.add(name);
       if ((await button.textContent()) === "SVG") {
@@ -167,7 +167,7 @@ test("each button gives its file", () =>
         assert.equal(lines.at(-1), "");
       }
     }
-  }));
+  }, { prepare: keepFiles }));
 
 test("tables can be had as CSV, their numbers those of the JSON", () =>
   withPage(file, desktop, async (page) => {

@@ -1,5 +1,4 @@
-// The command line as a whole, and what is said of a wrong one. The
-// arguments_*.cc files are the only ones that know CLI11.
+#include "runtime/cli/arguments/arguments.h"
 
 #include <fmt/format.h>
 
@@ -7,13 +6,13 @@
 #include <algorithm>
 #include <cassert>
 #include <filesystem>
-#include <functional>
 #include <memory>
+#include <optional>
+#include <ostream>
 #include <sstream>
 
 #include "grammar/suggest.h"
-#include "runtime/cli/arguments/add_commands.h"
-#include "runtime/cli/arguments/command.h"
+#include "runtime/cli/arguments/command_description.h"
 #include "runtime/cli/files/load_program.h"
 #include "runtime/text/version.h"
 
@@ -152,32 +151,6 @@ bool MayBeValue(const std::string& word) {
          !std::filesystem::exists(SplitGenotypePath(word).file, ignored);
 }
 
-/// All commands, each with the struct that its options fill.
-class Commands {
- public:
-  template <typename One>
-  void Add(CLI::App& parent, CLI::App* (*add)(CLI::App&, One&)) {
-    const auto command = std::make_shared<One>();
-    const CLI::App* app = add(parent, *command);
-    entries_.push_back({app, [command] { return Command(*command); }});
-  }
-  /// The one that the user chose; there is one.
-  Command Parsed() const {
-    const auto parsed =
-        std::find_if(entries_.begin(), entries_.end(),
-                     [](const Entry& entry) { return entry.app->parsed(); });
-    assert(parsed != entries_.end());
-    return parsed->command();
-  }
-
- private:
-  struct Entry {
-    const CLI::App* app = nullptr;
-    std::function<Command()> command;
-  };
-  std::vector<Entry> entries_;
-};
-
 // An option of several values takes one each time it is written: more would
 // swallow the positionals behind it.
 void TakeOneValueEach(CLI::App& app) {
@@ -191,79 +164,30 @@ void TakeOneValueEach(CLI::App& app) {
   for (CLI::App* command : app.get_subcommands({})) TakeOneValueEach(*command);
 }
 
-Commands AddAll(CLI::App& app) {
+std::vector<Declared> DeclareAll(CLI::App& app, const Registry& registry) {
   app.name("plsc");
   app.description(kOverview);
   app.set_version_flag("--version", std::string("plsc ") + kVersion);
   app.footer(kFooter);
   app.require_subcommand(1);
-
-  Commands commands;
-  commands.Add(app, AddCheck);
-  commands.Add(app, AddExplain);
-  commands.Add(app, AddExport);
-  commands.Add(app, AddFix);
-  commands.Add(app, AddFmt);
-  commands.Add(app, AddDevelop);
-  commands.Add(app, AddDiff);
-  commands.Add(app, AddDraw);
-  commands.Add(app, AddLint);
-  commands.Add(app, AddMerge);
-  commands.Add(app, AddLsp);
-  commands.Add(app, AddRegulate);
-  commands.Add(app, AddSimulate);
-  commands.Add(app, AddEvaluate);
-  commands.Add(app, AddEvolve);
-  commands.Add(app, AddShow);
-  commands.Add(app, AddReplay);
-  CLI::App& study = *AddStudy(app);
-  commands.Add(study, AddStudyList);
-  commands.Add(study, AddStudyRun);
-  commands.Add(study, AddStudyStatus);
-  commands.Add(app, AddView);
-  commands.Add(app, AddReport);
-  commands.Add(app, AddWhy);
-  commands.Add(app, AddTest);
-  commands.Add(app, AddRandom);
-  commands.Add(app, AddImport);
-  commands.Add(app, AddMutate);
-  commands.Add(app, AddCross);
-  commands.Add(app, AddTrim);
-  commands.Add(app, AddStats);
-  commands.Add(app, AddHash);
-  commands.Add(app, AddCompletion);
-  commands.Add(app, AddMan);
+  std::vector<Declared> all;
+  for (const Declare declare : registry) all.push_back(declare(app));
   TakeOneValueEach(app);
-  return commands;
+  return all;
 }
 
 }  // namespace
 
-void AddForce(CLI::App* command, bool& force) {
-  command->add_flag("--force", force,
-                    "replace files that are left alone otherwise: see \"What "
-                    "an output replaces\" in docs/formats.md");
-}
-
-void AddFormat(CLI::App* command, OutputFormat& format, const char* json) {
-  command
-      ->add_option("--format", format,
-                   std::string("text for people (default), or json: ") + json)
-      ->transform(CLI::CheckedTransformer(std::map<std::string, OutputFormat>{
-          {"text", OutputFormat::kText}, {"json", OutputFormat::kJson}}))
-      ->type_name("text|json")
-      ->option_text("text|json");
-}
-
-CommandDescription DescribeCommandLine() {
+CommandDescription DescribeCommandLine(const Registry& registry) {
   CLI::App app;
-  AddAll(app);
+  DeclareAll(app, registry);
   return DescribeApp(app, "");
 }
 
-std::string AdviceOnValues(const std::vector<std::string>& arguments) {
+std::string AdviceOnValues(const std::vector<std::string>& arguments,
+                           const Registry& registry) {
   CLI::App app;
-  AddAll(app);
+  DeclareAll(app, registry);
   const CLI::App* chosen = &app;
   for (const std::string& word : arguments) {
     const std::vector<std::string> known = CommandNames(*chosen);
@@ -285,16 +209,28 @@ std::string AdviceOnValues(const std::vector<std::string>& arguments) {
   return "";
 }
 
-Command ParseArguments(const std::vector<std::string>& arguments) {
+Command ParseArguments(const std::vector<std::string>& arguments,
+                       const Registry& registry) {
   CLI::App app;
-  const Commands commands = AddAll(app);
-  if (auto answer = UnknownCommand(app, arguments)) return *answer;
+  const std::vector<Declared> all = DeclareAll(app, registry);
+  if (auto answer = UnknownCommand(app, arguments))
+    return Command(std::make_unique<Answer>(*answer));
   try {
     app.parse(ForParsing(arguments));
   } catch (const CLI::ParseError& error) {
-    return AnswerTo(app, error);
+    return Command(std::make_unique<Answer>(AnswerTo(app, error)));
   }
-  return commands.Parsed();
+  const auto chosen =
+      std::find_if(all.begin(), all.end(),
+                   [](const Declared& one) { return one.app->parsed(); });
+  assert(chosen != all.end());
+  return chosen->command;
+}
+
+Exit Run(const Answer& answer, Io& io) {
+  io.out << answer.out;
+  io.err << answer.err;
+  return answer.exit;
 }
 
 }  // namespace plsc::cli

@@ -1,12 +1,14 @@
 #pragma once
 
 // The command line as data: what completions and manual pages are made of.
-// Read from the one place where commands, options and help are written, the
-// arguments_*.cc files.
+// Read from the one place where commands, options and help are written, the Add
+// functions.
 
 #include <cstdint>
 #include <string>
 #include <vector>
+
+#include "runtime/cli/arguments/registry.h"
 
 namespace plsc::cli {
 
@@ -41,7 +43,10 @@ struct CommandDescription {
 };
 
 /// `plsc` with all its commands.
-CommandDescription DescribeCommandLine();
+CommandDescription DescribeCommandLine(const Registry& registry = Commands());
+
+/// `app` and all below it; `name` as in CommandDescription.
+CommandDescription DescribeApp(const CLI::App& app, const std::string& name);
 
 /// `root` and all commands below it, each before its own.
 std::vector<const CommandDescription*> AllCommands(

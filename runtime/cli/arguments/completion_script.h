@@ -5,8 +5,8 @@
 
 #include <string>
 
-#include "runtime/cli/arguments/command.h"
 #include "runtime/cli/arguments/command_description.h"
+#include "runtime/cli/arguments/shell.h"
 
 namespace plsc::cli {
 

@@ -3,7 +3,6 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
-#include "runtime/cli/arguments/add_commands.h"
 #include "runtime/cli/arguments/command_description.h"
 
 namespace plsc::cli {

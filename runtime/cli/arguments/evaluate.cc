@@ -1,32 +1,30 @@
-// Options and help of the command that works for other programs.
+#include "runtime/cli/arguments/evaluate.h"
 
-#include <CLI/CLI.hpp>
-
-#include "runtime/cli/arguments/add_commands.h"
+#include "runtime/cli/arguments/common_options.h"
+#include "runtime/cli/arguments/options.h"
 
 namespace plsc::cli {
 
-CLI::App* AddEvaluate(CLI::App& app, EvaluateCommand& command) {
-  CLI::App* sub = app.add_subcommand(
-      "evaluate", "Evaluate genotypes for an optimiser in another program");
-  sub->add_flag("--stdin", command.is_stdin,
-                "read genotypes from standard input, a JSON object a line")
-      ->required();
-  sub->add_option("--scenario", command.scenario,
-                  "YAML file with the seasons and the physics (default: the "
-                  "paper's, 50 s Flat then 50 s Tilted by 5 degrees)")
-      ->option_text("FILE");
-  sub->add_option("--jobs", command.jobs,
-                  "worker processes (0 and default: one a core that may be "
-                  "used); changes no answer")
-      ->check(CLI::Range(0, 1024))
-      ->option_text("N");
-  sub->add_flag(
-      "--in-order", command.in_order,
-      "answer in the order of the requests instead of as they finish");
-  sub->add_flag("--allow-range", command.allow_range,
-                "arguments outside their range are warnings");
-  sub->footer(
+void Add(Options& options, EvaluateCommand& command) {
+  options.Command("evaluate",
+                  "Evaluate genotypes for an optimiser in another program");
+  options
+      .Flag("--stdin", command.is_stdin,
+            "read genotypes from standard input, a JSON object a line")
+      .Required();
+  options
+      .Add("--scenario", command.scenario,
+           "YAML file with the seasons and the physics (default: the "
+           "paper's, 50 s Flat then 50 s Tilted by 5 degrees)")
+      .ValueName("FILE");
+  AddJobs(options, command.jobs,
+          "worker processes (0 and default: one a core that may be "
+          "used); changes no answer");
+  options.Flag("--in-order", command.in_order,
+               "answer in the order of the requests instead of as they finish");
+  options.Flag("--allow-range", command.allow_range,
+               "arguments outside their range are warnings");
+  options.Footer(
       "A request is a line such as\n\n"
       "  {\"id\": 7, \"genotype\": \"plsc 1\\ngenotype ...\"}\n\n"
       "and is answered, when its seasons are lived, by a line\n\n"
@@ -43,7 +41,6 @@ CLI::App* AddEvaluate(CLI::App& app, EvaluateCommand& command) {
       "one_plus_one.py is a whole search.\n\n"
       "  plsc evaluate --stdin < requests.jsonl > answers.jsonl\n"
       "  plsc evaluate --stdin --scenario hot.yaml --jobs 4");
-  return sub;
 }
 
 }  // namespace plsc::cli

@@ -1,9 +1,9 @@
-// Options and help of the command that writes files for other programs.
+#include "runtime/cli/arguments/exports.h"
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 
-#include "runtime/cli/arguments/add_commands.h"
+#include "runtime/cli/arguments/common_options.h"
+#include "runtime/cli/arguments/options.h"
 
 namespace plsc::cli {
 
@@ -70,75 +70,84 @@ constexpr const char* kExportFooter =
     "17)'";
 
 /// What is written of a robot.
-void AddRobotOptions(CLI::App* sub, ExportCommand& command, CLI::Option* to) {
-  sub->add_option("ROBOT,--individual", command.individual,
-                  "with --to: which robot of the run, a number or best")
-      ->option_text("ROBOT")
-      ->needs(to);
-  sub->add_option("--env", command.environments,
-                  "with --to: what the robot senses, STATE=VALUE,... or the "
-                  "name of an environment of the file, of a season of the "
-                  "run; may be repeated (default: all of them)")
-      ->option_text("ENVIRONMENT")
-      ->needs(to);
-  sub->add_option("--scenario", command.scenario,
-                  "with --to: YAML file with the seasons and the physics "
-                  "(default: of a robot of a run the run's; of a file flat "
-                  "ground and the paper's constants)")
-      ->option_text("FILE")
-      ->needs(to);
-  sub->add_flag("--alone", command.alone,
-                "with --to mjcf or sdf: the robot without ground, light and "
-                "physics, for a world of yours")
-      ->needs(to);
-  sub->add_option("--prefix", command.prefix,
-                  "with --to: goes before the names of all parts, so that one "
-                  "world takes several robots")
-      ->option_text("TEXT")
-      ->check(CheckPrefix)
-      ->needs(to);
-  sub->add_flag("--allow-range", command.allow_range,
-                "with --to: arguments outside their range are warnings, not "
-                "errors")
-      ->needs(to);
+void AddRobotOptions(Options& options, ExportCommand& command, Option to) {
+  options
+      .Add("ROBOT,--individual", command.individual,
+           "with --to: which robot of the run, a number or best")
+      .ValueName("ROBOT")
+      .Needs(to);
+  options
+      .Add("--env", command.environments,
+           "with --to: what the robot senses, STATE=VALUE,... or the "
+           "name of an environment of the file, of a season of the "
+           "run; may be repeated (default: all of them)")
+      .ValueName("ENVIRONMENT")
+      .Needs(to);
+  options
+      .Add("--scenario", command.scenario,
+           "with --to: YAML file with the seasons and the physics "
+           "(default: of a robot of a run the run's; of a file flat "
+           "ground and the paper's constants)")
+      .ValueName("FILE")
+      .Needs(to);
+  options
+      .Flag("--alone", command.alone,
+            "with --to mjcf or sdf: the robot without ground, light and "
+            "physics, for a world of yours")
+      .Needs(to);
+  options
+      .Add("--prefix", command.prefix,
+           "with --to: goes before the names of all parts, so that one "
+           "world takes several robots")
+      .ValueName("TEXT")
+      .Check(CheckPrefix)
+      .Needs(to);
+  options
+      .Flag("--allow-range", command.allow_range,
+            "with --to: arguments outside their range are warnings, not "
+            "errors")
+      .Needs(to);
 }
 
 }  // namespace
 
-CLI::App* AddExport(CLI::App& app, ExportCommand& command) {
-  CLI::App* sub = app.add_subcommand(
-      "export", "Write robots or runs as files for other programs");
-  sub->add_option("FILE", command.file,
-                  "the store that plsc evolve made; for --to a genotype file "
-                  "(- is standard input), too")
-      ->required();
-  CLI::Option* to = sub->add_option_function<std::string>(
-                           "--to",
-                           [&command](const std::string& name) {
-                             command.to = FormatOf(name)->format;
-                           },
-                           "a robot, as " + FormatList())
-                        ->check(CheckExportFormat)
-                        ->option_text("FORMAT");
-  CLI::Option* csv =
-      sub->add_option("--csv", command.csv_folder,
-                      "a run, a table a file, with a header, into this folder")
-          ->option_text("FOLDER")
-          ->excludes(to);
-  sub->add_flag("--jsonl", command.jsonl,
-                "a run, one JSON object a line: the run, its individuals with "
-                "their seasons, its generations")
-      ->excludes(csv)
-      ->excludes(to);
-  AddRobotOptions(sub, command, to);
-  sub->add_option("-o,--output", command.output,
-                  "file for --to or --jsonl (default: standard output), or a "
-                  "folder for the robots of several environments")
-      ->option_text("FILE|FOLDER")
-      ->excludes(csv);
-  AddForce(sub, command.force);
-  sub->footer(kExportFooter);
-  return sub;
+void Add(Options& options, ExportCommand& command) {
+  options.Command("export", "Write robots or runs as files for other programs");
+  options
+      .Add("FILE", command.file,
+           "the store that plsc evolve made; for --to a genotype file "
+           "(- is standard input), too")
+      .Required();
+  const Option to = options
+                        .Add(
+                            "--to",
+                            [&command](const std::string& name) {
+                              command.to = FormatOf(name)->format;
+                            },
+                            "a robot, as " + FormatList())
+                        .Check(CheckExportFormat)
+                        .ValueName("FORMAT");
+  const Option csv =
+      options
+          .Add("--csv", command.csv_folder,
+               "a run, a table a file, with a header, into this folder")
+          .ValueName("FOLDER")
+          .Excludes(to);
+  options
+      .Flag("--jsonl", command.jsonl,
+            "a run, one JSON object a line: the run, its individuals with "
+            "their seasons, its generations")
+      .Excludes(csv)
+      .Excludes(to);
+  AddRobotOptions(options, command, to);
+  options
+      .Add("-o,--output", command.output,
+           "file for --to or --jsonl (default: standard output), or a "
+           "folder for the robots of several environments")
+      .ValueName("FILE|FOLDER")
+      .Excludes(csv);
+  AddForce(options, command.force);
+  options.Footer(kExportFooter);
 }
 
 }  // namespace plsc::cli

@@ -1,39 +1,31 @@
-// Options and help of the commands that compare and merge versions of
-// genotypes, by hand or for git.
+#include "runtime/cli/arguments/git.h"
 
-#include <CLI/CLI.hpp>
-
-#include "runtime/cli/arguments/add_commands.h"
+#include "runtime/cli/arguments/common_options.h"
+#include "runtime/cli/arguments/options.h"
 
 namespace plsc::cli {
 
-CLI::App* AddDiff(CLI::App& app, DiffCommand& command) {
-  CLI::App* sub = app.add_subcommand(
+void Add(Options& options, DiffCommand& command) {
+  options.Command(
       "diff", "Show what changed in genotypes, and in the robots they become");
-  sub->add_option("FILE", command.files,
-                  "OLD and NEW; FILE#NAME is a genotype of a file of several, "
-                  "- standard input")
-      ->required()
-      ->option_text("OLD NEW");
-  sub->add_option("--env", command.environments,
-                  "compare robots in these environments only: a name that both "
-                  "files declare, or state=value,...")
-      ->option_text("ENVIRONMENT");
-  AddFormat(sub, command.format, "one object");
-  sub->add_option("--color", command.color,
-                  "auto (default): on a terminal, unless NO_COLOR is set")
-      ->transform(CLI::CheckedTransformer(
-          std::map<std::string, ColorChoice>{{"auto", ColorChoice::kAuto},
-                                             {"always", ColorChoice::kAlways},
-                                             {"never", ColorChoice::kNever}}))
-      ->type_name("auto|always|never")
-      ->option_text("auto|always|never");
-  sub->add_flag("--allow-range", command.allow_range,
-                "arguments outside their range are warnings, not errors");
-  sub->add_flag("--git", command.is_git,
-                "take what git passes to an external diff, and answer as it "
-                "wants it: always with exit status 0");
-  sub->footer(
+  options
+      .Add("FILE", command.files,
+           "OLD and NEW; FILE#NAME is a genotype of a file of several, "
+           "- standard input")
+      .Required()
+      .ValueName("OLD NEW");
+  options
+      .Add("--env", command.environments,
+           "compare robots in these environments only: a name that both "
+           "files declare, or state=value,...")
+      .ValueName("ENVIRONMENT");
+  AddFormat(options, command.format, "one object");
+  AddColor(options, command.color);
+  AddAllowRange(options, command.allow_range);
+  options.Flag("--git", command.is_git,
+               "take what git passes to an external diff, and answer as it "
+               "wants it: always with exit status 0");
+  options.Footer(
       "Rules are matched by what they say, wherever they stand; within a rule "
       "symbols\nand their arguments are compared. Then both genotypes are "
       "developed in every\nenvironment that their clauses tell apart, and "
@@ -45,41 +37,43 @@ CLI::App* AddDiff(CLI::App& app, DiffCommand& command) {
       "  plsc diff zoo.pls#gecko zoo.pls#snake --env inclined=True\n"
       "  git config diff.plsc.command 'plsc diff --git --'\n"
       "  echo '*.pls diff=plsc merge=plsc' >> .gitattributes");
-  return sub;
 }
 
-CLI::App* AddMerge(CLI::App& app, MergeCommand& command) {
-  CLI::App* sub = app.add_subcommand(
-      "merge", "Merge two versions of a genotype file by rules and symbols");
-  sub->add_option("BASE", command.base,
-                  "what both come from; an empty file if nothing")
-      ->required();
-  sub->add_option("OURS", command.ours, "one version")->required();
-  sub->add_option("THEIRS", command.theirs, "the other")->required();
-  CLI::Option* output = sub->add_option("-o,--output", command.output,
-                                        "write here, not to standard output");
-  output->option_text("FILE");
-  AddForce(sub, command.force);
-  CLI::Option* write =
-      sub->add_flag("--write-ours", command.write_ours, "replace OURS");
-  output->excludes(write);
-  sub->add_flag("--driver", command.is_driver,
-                "as git's merge driver: replaces OURS")
-      ->excludes(output);
-  sub->add_option("-L", command.marker_size,
-                  "characters of a conflict marker (default 7); git's %L")
-      ->check(CLI::Range(1, 1000))
-      ->option_text("N");
-  sub->add_option("-P,--path", command.path,
-                  "the file's name in messages; git's %P")
-      ->option_text("PATH");
-  sub->add_option("--label", command.labels,
-                  "up to three times: names of ours, base and theirs in "
-                  "messages and markers")
-      ->option_text("NAME");
-  sub->add_flag("--allow-range", command.allow_range,
-                "arguments outside their range are warnings, not errors");
-  sub->footer(
+void Add(Options& options, MergeCommand& command) {
+  options.Command("merge",
+                  "Merge two versions of a genotype file by rules and symbols");
+  options
+      .Add("BASE", command.base,
+           "what both come from; an empty file if nothing")
+      .Required();
+  options.Add("OURS", command.ours, "one version").Required();
+  options.Add("THEIRS", command.theirs, "the other").Required();
+  const Option output = options.Add("-o,--output", command.output,
+                                    "write here, not to standard output");
+  output.ValueName("FILE");
+  AddForce(options, command.force);
+  const Option write =
+      options.Flag("--write-ours", command.write_ours, "replace OURS");
+  output.Excludes(write);
+  options
+      .Flag("--driver", command.is_driver,
+            "as git's merge driver: replaces OURS")
+      .Excludes(output);
+  options
+      .Add("-L", command.marker_size,
+           "characters of a conflict marker (default 7); git's %L")
+      .Range(1, 1000)
+      .ValueName("N");
+  options
+      .Add("-P,--path", command.path, "the file's name in messages; git's %P")
+      .ValueName("PATH");
+  options
+      .Add("--label", command.labels,
+           "up to three times: names of ours, base and theirs in "
+           "messages and markers")
+      .ValueName("NAME");
+  AddAllowRange(options, command.allow_range);
+  options.Footer(
       "Items are known by their names, rules by what they say; within a rule "
       "symbols,\nterms and arguments are merged one by one. Only what both "
       "changed in different\nways is a conflict, and then that rule or item "
@@ -92,7 +86,6 @@ CLI::App* AddMerge(CLI::App& app, MergeCommand& command) {
       "  git config merge.plsc.driver "
       "'plsc merge --driver -L %L --path=%P -- %O %A %B'\n"
       "  echo '*.pls diff=plsc merge=plsc' >> .gitattributes");
-  return sub;
 }
 
 }  // namespace plsc::cli

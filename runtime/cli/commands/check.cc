@@ -1,9 +1,6 @@
-#include <fmt/format.h>
-
 #include <ostream>
 
-#include "grammar/shown_line.h"
-#include "runtime/cli/arguments/command.h"
+#include "runtime/cli/arguments/texts.h"
 #include "runtime/cli/commands/check_file.h"
 #include "runtime/cli/diagnostics/diagnostic_json.h"
 #include "runtime/cli/diagnostics/github_annotation.h"
@@ -43,12 +40,10 @@ FileCheck CheckOne(const std::string& name, const CheckCommand& command,
   const Result<Source> source = ReadSource(name, io);
   const bool is_text = command.format == CheckFormat::kText;
   if (!source) {
-    // There is no line to show.
     const Diagnostic& problem = source.diagnostics()[0];
     CheckedFile file{Source(name, ""), {problem}};
     if (is_text)
-      io.err << fmt::format("error[{}]: {}\n", NumberOf(problem.code),
-                            Escaped(problem.message));
+      ReportUnreadable(problem, io);
     else
       Report(file, command, io);
     return {{std::move(file)}, false, ""};

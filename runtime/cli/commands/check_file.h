@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "runtime/cli/arguments/command.h"
+#include "runtime/cli/arguments/texts.h"
 #include "runtime/cli/files/io.h"
 #include "runtime/cli/files/load_yaml.h"
 

@@ -1,7 +1,8 @@
 #include <ostream>
 
-#include "runtime/cli/arguments/command.h"
+#include "runtime/cli/arguments/command_description.h"
 #include "runtime/cli/arguments/completion_script.h"
+#include "runtime/cli/arguments/shell.h"
 
 namespace plsc::cli {
 

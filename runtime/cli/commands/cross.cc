@@ -1,15 +1,17 @@
 #include <fmt/format.h>
 
+#include <nlohmann/json.hpp>
 #include <ostream>
 #include <utility>
 
 #include "compiler/verify.h"
 #include "grammar/shown_line.h"
-#include "runtime/cli/arguments/command.h"
+#include "runtime/cli/arguments/genotypes.h"
 #include "runtime/cli/commands/offspring.h"
 #include "runtime/cli/files/load_program.h"
 #include "runtime/cli/files/load_yaml.h"
 #include "runtime/cli/files/output_path.h"
+#include "runtime/text/json_dump.h"
 #include "runtime/vary/crossover.h"
 
 namespace plsc::cli {
@@ -34,7 +36,7 @@ OneChild CrossOne(const Program& first, const Genotype& second,
   rng.Bernoulli(probability);
   const Alphabet& alphabet = *first.genotype.alphabet;
   const std::vector<bool> choices = DrawCrossover(alphabet, rng);
-  OneChild child{first, "", {}};
+  OneChild child{first, "", ""};
   child.program.tests.clear();
   child.program.genotype = Cross(first.genotype, second, choices);
   child.program.genotype.name = first.genotype.name;
@@ -47,10 +49,11 @@ OneChild CrossOne(const Program& first, const Genotype& second,
                    ? "no rules of the second parent"
                    : fmt::format("rules of {} from the second parent",
                                  fmt::join(from_second, ", "));
-  child.what = {{"seed", std::to_string(key.seed)},
-                {"generation", key.generation},
-                {"individual", key.individual},
-                {"from_second", from_second}};
+  child.what =
+      DumpJson(nlohmann::ordered_json{{"seed", std::to_string(key.seed)},
+                                      {"generation", key.generation},
+                                      {"individual", key.individual},
+                                      {"from_second", from_second}});
   return child;
 }
 

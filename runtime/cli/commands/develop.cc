@@ -7,13 +7,14 @@
 
 #include "compiler/print.h"
 #include "grammar/shown_line.h"
-#include "runtime/cli/arguments/command.h"
+#include "runtime/cli/arguments/robots.h"
 #include "runtime/cli/files/load_program.h"
 #include "runtime/cli/files/output_path.h"
 #include "runtime/develop/derive.h"
 #include "runtime/develop/descriptors.h"
 #include "runtime/develop/develop.h"
 #include "runtime/develop/growth.h"
+#include "runtime/develop/part_names.h"
 #include "runtime/develop/phenotype_json.h"
 #include "runtime/history/history_json.h"
 #include "runtime/history/history_text.h"
@@ -25,18 +26,17 @@ namespace plsc::cli {
 
 namespace {
 
-struct Developed {
+/// What development goes through.
+struct Stages {
   ActiveRules active;
   SymbolString string;
   std::optional<Phenotype> phenotype;  ///< of alphabets that have bodies
 };
 
-std::optional<Developed> DevelopIn(const Genotype& genotype,
-                                   const Environment& environment) {
-  Developed developed;
+std::optional<Stages> DevelopIn(const Genotype& genotype,
+                                const Environment& environment) {
+  Stages developed;
   developed.active = Regulate(genotype, environment);
-  if (DerivedLength(genotype, developed.active) > kMaxStringLength)
-    return std::nullopt;
   std::optional<SymbolString> string = Derive(genotype, developed.active);
   if (!string) return std::nullopt;
   developed.string = std::move(*string);
@@ -48,10 +48,7 @@ std::optional<Developed> DevelopIn(const Genotype& genotype,
 void PrintSymbols(const Genotype& genotype, const SymbolString& string,
                   std::ostream& out) {
   for (const Occurrence& occurrence : string) {
-    Symbol symbol{occurrence.symbol, {}};
-    if (occurrence.rule != kNoRule)
-      symbol = genotype.rules[occurrence.rule].production[occurrence.position];
-    out << ' ' << PrintSymbol(symbol, *genotype.alphabet);
+    out << ' ' << SymbolText(genotype, occurrence);
   }
 }
 
@@ -80,7 +77,7 @@ void PrintBody(const Phenotype& phenotype, std::ostream& out) {
 }
 
 void PrintText(const Genotype& genotype, const NamedEnvironment& named,
-               const Developed& developed, std::ostream& out) {
+               const Stages& developed, std::ostream& out) {
   const std::string senses =
       PrintEnvironment(named.environment, genotype.states);
   out << fmt::format("{} in {}", genotype.name, Escaped(named.name));
@@ -130,7 +127,7 @@ bool WriteSvg(const DevelopCommand& command, const Genotype& genotype,
 }
 
 std::string JsonText(const Genotype& genotype, const Environment& environment,
-                     const Developed& developed, const HistoryView* view) {
+                     const Stages& developed, const HistoryView* view) {
   const Phenotype* phenotype =
       developed.phenotype ? &*developed.phenotype : nullptr;
   std::string text =
@@ -145,7 +142,7 @@ std::string JsonText(const Genotype& genotype, const Environment& environment,
 
 // False when the history outgrows its limit.
 bool Print(const DevelopCommand& command, const LoadedProgram& loaded,
-           const NamedEnvironment& named, const Developed& developed, Io& io) {
+           const NamedEnvironment& named, const Stages& developed, Io& io) {
   const Genotype& genotype = loaded.mapped.program.genotype;
   std::optional<History> history;
   std::optional<HistoryView> view;

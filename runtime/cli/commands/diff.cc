@@ -8,7 +8,7 @@
 #include "compiler/compile.h"
 #include "compiler/environment_text.h"
 #include "grammar/shown_line.h"
-#include "runtime/cli/arguments/command.h"
+#include "runtime/cli/arguments/git.h"
 #include "runtime/cli/files/load_program.h"
 #include "runtime/compare/difference_json.h"
 #include "runtime/compare/difference_text.h"
@@ -48,15 +48,9 @@ std::optional<Version> ReadVersion(const std::string& path,
   // Names of git's temporary files are no GenotypePath.
   const GenotypePath from =
       command.is_git ? GenotypePath{path, ""} : SplitGenotypePath(path);
-  Result<Source> source = ReadSource(from.file, io);
-  if (source && command.is_git)
-    source = Source(git_name, std::string(source->text()));
-  if (!source) {
-    const Diagnostic& problem = source.diagnostics()[0];
-    io.err << fmt::format("error[{}]: {}\n", NumberOf(problem.code),
-                          Escaped(problem.message));
-    return std::nullopt;
-  }
+  std::optional<Source> source = ReadOrReport(from.file, io);
+  if (!source) return std::nullopt;
+  if (command.is_git) source = Source(git_name, std::string(source->text()));
   CompileOptions options;
   options.allow_out_of_range = command.allow_range;
   auto compiled = CompileAll(*source, options);
@@ -70,8 +64,10 @@ std::optional<Version> ReadVersion(const std::string& path,
     return program.genotype.name != version.chosen;
   });
   if (!version.programs.empty()) return version;
-  io.err << fmt::format("error[P2019]: {} has no genotype '{}'\n",
-                        Escaped(from.file), version.chosen);
+  io.err << RenderWithoutLine(
+      {Code::kSeveralGenotypes,
+       {},
+       fmt::format("{} has no genotype '{}'", from.file, version.chosen)});
   return std::nullopt;
 }
 
@@ -103,7 +99,7 @@ std::optional<GenotypeDifference> CompareOne(const Program& before,
   GenotypeDifference difference;
   difference.genotype = after.genotype.name;
   difference.environments =
-      CompareRobotsIn(shared->environments, before.genotype, after.genotype);
+      CompareRobots(shared->environments, before.genotype, after.genotype);
   difference.limitation = shared->limitation;
   return difference;
 }

@@ -6,7 +6,7 @@
 
 #include "compiler/print.h"
 #include "grammar/shown_line.h"
-#include "runtime/cli/arguments/command.h"
+#include "runtime/cli/arguments/pictures.h"
 #include "runtime/cli/files/load_program.h"
 #include "runtime/cli/files/open_run.h"
 #include "runtime/cli/files/output_path.h"
@@ -66,8 +66,7 @@ std::vector<std::string> RuleTexts(const LoadedProgram& loaded) {
     const Rule& rule = genotype.rules[i];
     const Span span = loaded.mapped.map.rules[i].rule;
     texts.push_back(fmt::format(
-        "rule {}: {}, {} (line {})", i + 1,
-        (*genotype.alphabet)[rule.head].name,
+        "rule {}: {}, {} (line {})", i + 1, genotype.SymbolOf(rule.head).name,
         rule.clause.is_always() ? std::string("always")
                                 : "if " + PrintClause(rule.clause, genotype),
         loaded.source.PositionOf(span.begin).line));

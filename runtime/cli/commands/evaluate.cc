@@ -1,3 +1,9 @@
+// Two things to wait for, lines and answers, in one thread: the pool's wait
+// also ends when a line comes (WakeOn), and lines are taken only while there is
+// room, so that an asker who sends a million genotypes is held up by its own
+// pipe and not by our memory. Every line gets exactly one answer, also one that
+// cannot be read; with --in-order answers wait for those before them.
+
 #include <fmt/format.h>
 
 #include <cassert>
@@ -8,7 +14,7 @@
 #include "compiler/compile.h"
 #include "compiler/print.h"
 #include "grammar/shown_line.h"
-#include "runtime/cli/arguments/command.h"
+#include "runtime/cli/arguments/evaluate.h"
 #include "runtime/cli/commands/ask_tell.h"
 #include "runtime/cli/files/line_reader.h"
 #include "runtime/cli/files/load_yaml.h"

@@ -4,7 +4,7 @@
 #include <ostream>
 
 #include "compiler/print.h"
-#include "runtime/cli/arguments/command.h"
+#include "runtime/cli/arguments/runs.h"
 #include "runtime/cli/commands/robot_text.h"
 #include "runtime/cli/files/load_yaml.h"
 #include "runtime/cli/files/open_run.h"

@@ -7,7 +7,7 @@
 
 #include "grammar/codes.h"
 #include "grammar/suggest.h"
-#include "runtime/cli/arguments/command.h"
+#include "runtime/cli/arguments/texts.h"
 #include "runtime/cli/explanations/explanations.h"
 
 namespace plsc::cli {

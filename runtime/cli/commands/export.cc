@@ -3,91 +3,36 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cerrno>
-#include <cstdio>
 #include <filesystem>
 #include <ostream>
-#include <system_error>
 #include <utility>
 
-#include "runtime/cli/arguments/command.h"
+#include "runtime/cli/arguments/exports.h"
 #include "runtime/cli/commands/export_robot.h"
 #include "runtime/cli/files/open_run.h"
+#include "runtime/cli/files/output_file.h"
 #include "runtime/cli/files/output_path.h"
-#include "runtime/cli/files/pipe_errors.h"
 
 namespace plsc::cli {
 
 namespace {
 
-std::string SystemReason(int error) {
-  return std::error_code(error, std::generic_category()).message();
-}
-
-/// A file that takes its name when it is written to its end; a pipe or a device
-/// is written into. Of the C library, whose functions say why they failed.
-class NewFile {
- public:
-  explicit NewFile(const std::string& path)
-      : path_(RealPath(path)),
-        beside_(IsWrittenInto(path_) ? "" : NeighbourOf(path_)),
-        // Exclusive: what has the neighbour's name is not ours.
-        file_(beside_.empty() ? std::fopen(path_.c_str(), "abe")
-                              : std::fopen(beside_.c_str(), "wbxe")),
-        error_(file_ != nullptr ? 0 : errno),
-        is_made_(file_ != nullptr && !beside_.empty()) {}
-  ~NewFile() {
-    if (file_ != nullptr) std::fclose(file_);
-    std::error_code ignored;
-    if (is_made_ && !is_done_) std::filesystem::remove(beside_, ignored);
-  }
-  NewFile(const NewFile&) = delete;
-  NewFile& operator=(const NewFile&) = delete;
-
-  MaybeFailure Write(std::string_view text) {
-    if (error_ == 0 &&
-        std::fwrite(text.data(), 1, text.size(), file_) != text.size())
-      error_ = errno;
-    return Check();
-  }
-  MaybeFailure Finish() {
-    // Closing writes what is buffered, and may fail as writing does.
-    if (error_ == 0 && std::fclose(std::exchange(file_, nullptr)) != 0)
-      error_ = errno;
-    if (error_ == 0 && is_made_ &&
-        std::rename(beside_.c_str(), path_.c_str()) != 0)
-      error_ = errno;
-    is_done_ = error_ == 0;
-    return Check();
-  }
-
- private:
-  MaybeFailure Check() const {
-    if (error_ == 0) return std::nullopt;
-    return fmt::format("cannot write to '{}': {}", path_, SystemReason(error_));
-  }
-
-  PipeErrors are_errors_;
-  std::string path_;
-  std::string beside_;
-  std::FILE* file_;
-  int error_;
-  bool is_made_;  // the neighbour
-  bool is_done_ = false;
-};
-
 /// What could be read of a damaged run is a file, too.
 template <typename Writer>
 MaybeFailure WriteFileWith(const std::string& path, const Writer& write) {
-  NewFile file(path);
+  OutputFile file(path);
+  const auto told = [&](const MaybeFailure& reason) -> MaybeFailure {
+    if (!reason) return std::nullopt;
+    return fmt::format("cannot write to '{}': {}", file.path(), *reason);
+  };
   bool is_written = true;
   MaybeFailure failure = write([&](std::string_view text) {
-    MaybeFailure wrong = file.Write(text);
+    MaybeFailure wrong = told(file.Write(text));
     is_written = is_written && !wrong;
     return wrong;
   });
   if (!is_written) return failure;
-  MaybeFailure unfinished = file.Finish();
+  MaybeFailure unfinished = told(file.Finish());
   return failure ? failure : unfinished;
 }
 

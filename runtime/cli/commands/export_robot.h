@@ -3,7 +3,7 @@
 // The half of `plsc export` that writes robots: each environment's as a file
 // in the format of another program.
 
-#include "runtime/cli/arguments/command.h"
+#include "runtime/cli/arguments/exports.h"
 
 namespace plsc::cli {
 

@@ -5,7 +5,8 @@
 
 #include "compiler/apply_fixes.h"
 #include "grammar/shown_line.h"
-#include "runtime/cli/arguments/command.h"
+#include "runtime/cli/arguments/texts.h"
+#include "runtime/cli/files/output_file.h"
 #include "runtime/text/unified_diff.h"
 
 namespace plsc::cli {
@@ -42,23 +43,13 @@ bool Deliver(const std::string& file, const MendedText& mended,
     io.out << mended.text;
     return true;
   }
-  if (mended.made.empty()) return true;
-  const auto failure = WriteFile(file, mended.text);
-  if (failure)
-    io.err << fmt::format("error: cannot write '{}': {}\n", Escaped(file),
-                          Escaped(*failure));
-  return !failure;
+  return mended.made.empty() || WriteOrReport(file, mended.text, io);
 }
 
 // Whether the file is (now) without errors.
 bool FixOne(const std::string& file, const FixCommand& command, Io& io) {
-  const Result<Source> source = ReadSource(file, io);
-  if (!source) {
-    io.err << fmt::format("error[{}]: {}\n",
-                          NumberOf(source.diagnostics()[0].code),
-                          Escaped(source.diagnostics()[0].message));
-    return false;
-  }
+  const auto source = ReadOrReport(file, io);
+  if (!source) return false;
   CompileOptions options;
   options.allow_out_of_range = command.allow_range;
   const MendedText mended = MendText(*source, options);

@@ -4,7 +4,8 @@
 
 #include "compiler/format.h"
 #include "grammar/shown_line.h"
-#include "runtime/cli/arguments/command.h"
+#include "runtime/cli/arguments/texts.h"
+#include "runtime/cli/files/output_file.h"
 #include "runtime/text/unified_diff.h"
 
 namespace plsc::cli {
@@ -13,13 +14,8 @@ namespace {
 
 // Whether the file is (now) as it should be.
 bool FormatOne(const std::string& file, const FmtCommand& command, Io& io) {
-  const Result<Source> source = ReadSource(file, io);
-  if (!source) {
-    io.err << fmt::format("error[{}]: {}\n",
-                          NumberOf(source.diagnostics()[0].code),
-                          Escaped(source.diagnostics()[0].message));
-    return false;
-  }
+  const auto source = ReadOrReport(file, io);
+  if (!source) return false;
   FormatOptions options;
   options.compact = command.compact;
   const Result<std::string> formatted = Format(*source, options);
@@ -43,11 +39,7 @@ bool FormatOne(const std::string& file, const FmtCommand& command, Io& io) {
     return true;
   }
   if (is_same) return true;
-  const auto failure = WriteFile(file, *formatted);
-  if (failure)
-    io.err << fmt::format("error: cannot write '{}': {}\n", Escaped(file),
-                          Escaped(*failure));
-  return !failure;
+  return WriteOrReport(file, *formatted, io);
 }
 
 }  // namespace

@@ -3,7 +3,7 @@
 #include <ostream>
 
 #include "grammar/shown_line.h"
-#include "runtime/cli/arguments/command.h"
+#include "runtime/cli/arguments/genotypes.h"
 #include "runtime/cli/files/load_program.h"
 #include "runtime/develop/developed.h"
 #include "runtime/develop/genotype_key.h"

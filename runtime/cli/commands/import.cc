@@ -8,9 +8,8 @@
 #include "compiler/compile.h"
 #include "compiler/print.h"
 #include "grammar/keywords.h"
-#include "grammar/shown_line.h"
 #include "runtime/authors/genotype.h"
-#include "runtime/cli/arguments/command.h"
+#include "runtime/cli/arguments/genotypes.h"
 #include "runtime/cli/files/output_path.h"
 
 namespace plsc::cli {
@@ -72,13 +71,8 @@ Exit Run(const ImportCommand& command, Io& io) {
     return Exit::kBadUsage;
   }
   if (!CanWrite(OutputOf(command), io)) return Exit::kBadInput;
-  const Result<Source> source = ReadSource(command.file, io);
-  if (!source) {
-    io.err << fmt::format("error[{}]: {}\n",
-                          NumberOf(source.diagnostics()[0].code),
-                          Escaped(source.diagnostics()[0].message));
-    return Exit::kBadInput;
-  }
+  const auto source = ReadOrReport(command.file, io);
+  if (!source) return Exit::kBadInput;
   ImportOptions options;
   options.name = !command.name.empty() ? command.name
                  : command.file == "-" ? "imported"

@@ -7,7 +7,7 @@
 #include <ostream>
 #include <vector>
 
-#include "runtime/cli/arguments/command.h"
+#include "runtime/cli/arguments/texts.h"
 #include "runtime/cli/diagnostics/diagnostic_json.h"
 
 namespace plsc::cli {
@@ -23,8 +23,7 @@ bool LintOne(const std::string& file, const LintCommand& command, Io& io) {
     if (is_json)
       io.out << DiagnosticJson(problem, Source(file, "")) << '\n';
     else
-      io.err << fmt::format("error[{}]: {}\n", NumberOf(problem.code),
-                            Escaped(problem.message));
+      ReportUnreadable(problem, io);
     return false;
   }
   CompileOptions options;

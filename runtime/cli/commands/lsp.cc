@@ -6,7 +6,7 @@
 #include <streambuf>
 #include <string>
 
-#include "runtime/cli/arguments/command.h"
+#include "runtime/cli/arguments/editors.h"
 #include "runtime/lsp/framing.h"
 #include "runtime/text/version.h"
 

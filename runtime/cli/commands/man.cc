@@ -5,8 +5,9 @@
 #include <ostream>
 
 #include "grammar/suggest.h"
-#include "runtime/cli/arguments/command.h"
+#include "runtime/cli/arguments/command_description.h"
 #include "runtime/cli/arguments/man_page.h"
+#include "runtime/cli/arguments/shell.h"
 #include "runtime/cli/files/output_path.h"
 #include "runtime/text/version.h"
 

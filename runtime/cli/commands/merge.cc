@@ -8,8 +8,8 @@
 #include "compiler/changes/merge_lines.h"
 #include "compiler/changes/merge_program.h"
 #include "compiler/compile.h"
-#include "grammar/shown_line.h"
-#include "runtime/cli/arguments/command.h"
+#include "runtime/cli/arguments/git.h"
+#include "runtime/cli/files/output_file.h"
 #include "runtime/cli/files/output_path.h"
 
 namespace plsc::cli {
@@ -41,13 +41,8 @@ std::vector<Diagnostic> ProblemsOf(const Source& source,
 std::optional<Version> ReadVersion(const std::string& path,
                                    const std::string& label,
                                    const MergeCommand& command, Io& io) {
-  Result<Source> read = ReadSource(path, io);
-  if (!read) {
-    const Diagnostic& problem = read.diagnostics()[0];
-    io.err << fmt::format("error[{}]: {}\n", NumberOf(problem.code),
-                          Escaped(problem.message));
-    return std::nullopt;
-  }
+  std::optional<Source> read = ReadOrReport(path, io);
+  if (!read) return std::nullopt;
   Source source = command.is_driver && !command.path.empty()
                       ? Source(fmt::format("{} ({})", command.path, label),
                                std::string(read->text()))
@@ -99,11 +94,7 @@ Output OutputOf(const MergeCommand& command) {
 bool WriteMerge(const std::string& text, const MergeCommand& command, Io& io) {
   if (!command.is_driver && !command.write_ours)
     return WriteOutput(OutputOf(command), text, io);
-  const auto failure = WriteFile(command.ours, text);
-  if (failure)
-    io.err << fmt::format("error: cannot write '{}': {}\n",
-                          Escaped(command.ours), *failure);
-  return !failure;
+  return WriteOrReport(command.ours, text, io);
 }
 
 Exit NotMerged(const MergeCommand& command, Io& io) {

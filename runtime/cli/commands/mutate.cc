@@ -1,17 +1,19 @@
 #include "runtime/vary/mutate.h"
-#include "grammar/shown_line.h"
 
 #include <fmt/format.h>
 
+#include <nlohmann/json.hpp>
 #include <ostream>
 #include <utility>
 
 #include "compiler/print.h"
-#include "runtime/cli/arguments/command.h"
+#include "grammar/shown_line.h"
+#include "runtime/cli/arguments/genotypes.h"
 #include "runtime/cli/commands/offspring.h"
 #include "runtime/cli/files/load_program.h"
 #include "runtime/cli/files/load_yaml.h"
 #include "runtime/cli/files/output_path.h"
+#include "runtime/text/json_dump.h"
 
 namespace plsc::cli {
 
@@ -47,7 +49,7 @@ const char* VerbOf(MutationKind kind) {
 std::string RuleText(const Genotype& parent, const Mutation& mutation) {
   const Rule& one = parent.rules[mutation.rule];
   return fmt::format(
-      "rule {} ({}{})", RuleNumber(mutation), (*parent.alphabet)[one.head].name,
+      "rule {} ({}{})", RuleNumber(mutation), parent.SymbolOf(one.head).name,
       one.clause.is_always() ? "" : " if " + PrintClause(one.clause, parent));
 }
 
@@ -59,7 +61,7 @@ OneChild MutateOne(const Program& parent, const HowToMutate& how,
   rng.Bernoulli(how.probability);
   const Mutation mutation =
       DrawMutation(parent.genotype, how.encoding, rng, how.options);
-  OneChild child{parent, "", {}};
+  OneChild child{parent, "", ""};
   child.program.tests.clear();
   child.program.genotype = Mutate(parent.genotype, mutation, rng, how.options);
   const bool has_changed = child.program.genotype != parent.genotype;
@@ -67,13 +69,14 @@ OneChild MutateOne(const Program& parent, const HowToMutate& how,
   child.told = has_changed
                    ? fmt::format("{} {}", VerbOf(mutation.kind), rule)
                    : fmt::format("nothing changed: {} of {} had no effect",
-                                 MutationName(mutation.kind), rule);
-  child.what = {{"seed", std::to_string(key.seed)},
-                {"generation", key.generation},
-                {"individual", key.individual},
-                {"mutation", MutationName(mutation.kind)},
-                {"rule", RuleNumber(mutation)},
-                {"changed", has_changed}};
+                                 NameIn(kMutationNames, mutation.kind), rule);
+  child.what = DumpJson(nlohmann::ordered_json{
+      {"seed", std::to_string(key.seed)},
+      {"generation", key.generation},
+      {"individual", key.individual},
+      {"mutation", NameIn(kMutationNames, mutation.kind)},
+      {"rule", RuleNumber(mutation)},
+      {"changed", has_changed}});
   return child;
 }
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <nlohmann/json.hpp>
 #include <ostream>
 #include <string_view>
 #include <utility>
@@ -23,7 +24,7 @@ std::string AsOneFile(const std::vector<OneChild>& children) {
 std::string AsLines(const std::vector<OneChild>& children) {
   std::string lines;
   for (const OneChild& child : children) {
-    nlohmann::ordered_json line = child.what;
+    auto line = nlohmann::ordered_json::parse(child.what);
     line["genotype"] = child.program.genotype.name;
     line["text"] = Print(child.program);
     lines += DumpJson(line) + '\n';

@@ -3,12 +3,11 @@
 // What `plsc mutate` and `plsc cross` hand out: genotypes as one file, or one
 // JSON object a line, and a line to people about each.
 
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "compiler/program.h"
-#include "runtime/cli/arguments/command.h"
+#include "runtime/cli/arguments/output_format.h"
 #include "runtime/cli/files/io.h"
 #include "runtime/cli/files/output_path.h"
 
@@ -20,8 +19,8 @@ std::string JoinGenotypes(const std::vector<std::string>& texts);
 
 struct OneChild {
   Program program;
-  std::string told;             ///< "deleted a symbol of rule 3 (B)"
-  nlohmann::ordered_json what;  ///< the same for scripts
+  std::string told;  ///< "deleted a symbol of rule 3 (B)"
+  std::string what;  ///< the same for scripts: a JSON object
 };
 
 /// What of Output::kind is written in that format.

@@ -7,7 +7,7 @@
 #include "compiler/compile.h"
 #include "compiler/print.h"
 #include "grammar/expected.h"
-#include "runtime/cli/arguments/command.h"
+#include "runtime/cli/arguments/robots.h"
 #include "runtime/cli/commands/offspring.h"
 #include "runtime/cli/files/load_yaml.h"
 #include "runtime/cli/files/output_path.h"

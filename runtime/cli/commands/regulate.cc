@@ -4,7 +4,7 @@
 
 #include <ostream>
 
-#include "runtime/cli/arguments/command.h"
+#include "runtime/cli/arguments/robots.h"
 #include "runtime/cli/files/load_program.h"
 #include "runtime/history/regulation_json.h"
 #include "runtime/history/regulation_text.h"

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "grammar/shown_line.h"
-#include "runtime/cli/arguments/command.h"
+#include "runtime/cli/arguments/runs.h"
 #include "runtime/cli/commands/replay_compare.h"
 #include "runtime/cli/files/open_run.h"
 #include "runtime/evolve/generation_evaluator.h"

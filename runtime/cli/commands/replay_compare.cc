@@ -50,7 +50,7 @@ std::string TextOf(const std::vector<SensedState>& sensed) {
   std::string text;
   for (const SensedState& state : sensed)
     text += fmt::format("{}={} ({}) ", state.name, state.value,
-                        SenseSourceName(state.from));
+                        NameIn(kSenseSourceNames, state.from));
   return text;
 }
 
@@ -59,8 +59,8 @@ void CompareSeasons(const SeasonResult& stored, const SeasonResult& now,
   comparison.Add("sensed", TextOf(stored.sensed), TextOf(now.sensed));
   comparison.Add("inclination", stored.inclination, now.inclination);
   comparison.Add("begin", stored.begin, now.begin);
-  comparison.Add("change", std::string(ChangeName(stored.change)),
-                 std::string(ChangeName(now.change)));
+  comparison.Add("change", std::string(NameIn(kChangeNames, stored.change)),
+                 std::string(NameIn(kChangeNames, now.change)));
   comparison.Add("change_reason", stored.change_reason, now.change_reason);
   comparison.Add("outcome", std::string(OutcomeName(stored.outcome)),
                  std::string(OutcomeName(now.outcome)));

@@ -8,7 +8,7 @@
 #include <map>
 #include <ostream>
 
-#include "runtime/cli/arguments/command.h"
+#include "runtime/cli/arguments/report.h"
 #include "runtime/cli/files/open_run.h"
 #include "runtime/cli/files/output_path.h"
 #include "runtime/pages/page.h"
@@ -59,7 +59,8 @@ std::string Summary(const StudyReport& report) {
         RunState::kMissing, RunState::kDamaged}) {
     const auto found = states.find(state);
     if (found == states.end()) continue;
-    text += fmt::format("{}{} {}", separator, found->second, StateName(state));
+    text += fmt::format("{}{} {}", separator, found->second,
+                        NameIn(kRunStateNames, state));
     separator = ", ";
   }
   return text;

@@ -6,11 +6,11 @@
 #include "runtime/develop/develop.h"
 #include "runtime/life/season_developer.h"
 #include "runtime/pictures/body_text.h"
+#include "runtime/text/quantity.h"
 
 namespace plsc::cli {
 
 std::string SeasonLine(const SeasonResult& result) {
-  constexpr double kCentimetres = 100;  // the paper's unit of Speed
   if (!result.behaviour.is_valid)
     return fmt::format("season {}: {}: {}", Escaped(result.season),
                        OutcomeName(result.outcome), Escaped(result.reason));

@@ -5,7 +5,7 @@
 
 #include "compiler/print.h"
 #include "grammar/shown_line.h"
-#include "runtime/cli/arguments/command.h"
+#include "runtime/cli/arguments/runs.h"
 #include "runtime/cli/commands/robot_text.h"
 #include "runtime/cli/files/open_run.h"
 #include "runtime/life/season_json.h"
@@ -13,6 +13,7 @@
 #include "runtime/store/lock.h"
 #include "runtime/store/verify.h"
 #include "runtime/text/json_dump.h"
+#include "runtime/text/quantity.h"
 
 namespace plsc::cli {
 
@@ -33,15 +34,14 @@ std::string Origin(const Heritage& heritage, const Alphabet& alphabet) {
         fmt::format(" ({} of {})", fmt::join(heads, ", "), heritage.parents[1]);
   }
   if (heritage.mutation)
-    text +=
-        fmt::format(", {} of rule {}", MutationName(heritage.mutation->kind),
-                    RuleNumber(*heritage.mutation));
+    text += fmt::format(", {} of rule {}",
+                        NameIn(kMutationNames, heritage.mutation->kind),
+                        RuleNumber(*heritage.mutation));
   return text;
 }
 
 /// "2.66 -0.10 none cm/s": of the seasons in their order.
 std::string SpeedsOf(const SeasonFitnesses& fitnesses) {
-  constexpr double kCentimetres = 100;
   if (fitnesses.empty()) return "not evaluated yet";
   std::string text;
   for (const std::optional<double>& fitness : fitnesses)

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "grammar/shown_line.h"
-#include "runtime/cli/arguments/command.h"
+#include "runtime/cli/arguments/robots.h"
 #include "runtime/cli/files/load_program.h"
 #include "runtime/cli/files/load_yaml.h"
 #include "runtime/cli/files/output_path.h"
@@ -19,6 +19,7 @@
 #include "runtime/recording/recording_json.h"
 #include "runtime/recording/trajectory_csv.h"
 #include "runtime/scenario/scenario_yaml.h"
+#include "runtime/text/quantity.h"
 
 namespace plsc::cli {
 
@@ -31,7 +32,6 @@ void PrintHeader(std::ostream& out) {
 }
 
 void PrintRow(const SeasonResult& result, std::ostream& out) {
-  constexpr double kCentimetres = 100;  // the paper's unit of Speed
   const std::string speed =
       result.behaviour.is_valid
           ? fmt::format(
@@ -229,7 +229,7 @@ Exit Run(const SimulateCommand& command, Io& io) {
     io.out << fmt::format(
         "{} in scenario {} (profile {})\n", genotype.name,
         scenario.name.empty() ? "of no name" : Escaped(scenario.name),
-        ProfileName(scenario.profile));
+        NameIn(kProfileNames, scenario.profile));
     PrintHeader(io.out);
   }
   // Samples mean nothing without the constants that they were made with.

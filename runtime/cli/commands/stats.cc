@@ -3,7 +3,7 @@
 #include <ostream>
 
 #include "runtime/advice/stats_text.h"
-#include "runtime/cli/arguments/command.h"
+#include "runtime/cli/arguments/genotypes.h"
 #include "runtime/cli/files/load_program.h"
 #include "runtime/develop/regimes.h"
 
@@ -23,7 +23,7 @@ std::optional<std::vector<NamedEnvironment>> EnvironmentsOf(
                          program.genotype.states.empty();
   if (is_chosen) return ChooseEnvironments(program, texts, io);
   const StateSpace space(program.genotype);
-  const auto regimes = FindRegimes(program.genotype, space);
+  const auto regimes = FindRegimes(ClausesOf(program.genotype), space);
   if (!regimes || regimes->size() > kMaxRegimes)
     return ChooseEnvironments(program, texts, io);
   std::vector<NamedEnvironment> environments;

@@ -4,7 +4,7 @@
 #include <ostream>
 
 #include "grammar/shown_line.h"
-#include "runtime/cli/arguments/command.h"
+#include "runtime/cli/arguments/study.h"
 #include "runtime/cli/files/load_yaml.h"
 #include "runtime/cli/files/open_run.h"
 #include "runtime/cli/running/interrupt.h"

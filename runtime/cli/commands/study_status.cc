@@ -5,16 +5,15 @@
 #include <ostream>
 
 #include "grammar/shown_line.h"
-#include "runtime/cli/arguments/command.h"
+#include "runtime/cli/arguments/study.h"
 #include "runtime/study/run_report.h"
 #include "runtime/study/study_folder.h"
 #include "runtime/text/json_dump.h"
+#include "runtime/text/quantity.h"
 
 namespace plsc::cli {
 
 namespace {
-
-constexpr double kCentimetres = 100;
 
 /// "flat 3.63 tilted 1.32 cm/s"; - for a life that was not completed.
 std::string SpeedsText(const RunReport& report) {
@@ -40,7 +39,7 @@ void PrintRow(const Study& study, const StudyRun& run, const RunReport& report,
   const Experiment& experiment = study.experiments[run.experiment].experiment;
   const std::string line = fmt::format(
       "{:16} {:10} {:>11} {:>13}  {}", Escaped(RunName(study, run)),
-      StateName(report.state),
+      NameIn(kRunStateNames, report.state),
       fmt::format("{}/{}", report.generations, experiment.generations),
       fmt::format("{}/{}", report.evaluations, Evaluations(experiment)),
       SpeedsText(report));
@@ -60,7 +59,7 @@ void PrintJson(const std::string& folder, const Study& study,
   json["repetition"] = run.repetition;
   json["seed"] = std::to_string(experiment.seed);
   json["run"] = RunPath(folder, study, run);
-  json["state"] = StateName(report.state);
+  json["state"] = NameIn(kRunStateNames, report.state);
   json["generations"] = report.generations;
   json["generations_planned"] = experiment.generations;
   json["evaluations"] = report.evaluations;
@@ -83,7 +82,8 @@ void PrintTotals(const Totals& totals, std::ostream& out) {
         RunState::kMissing, RunState::kDamaged}) {
     const auto count = totals.states.find(state);
     if (count == totals.states.end()) continue;
-    text += fmt::format(", {} {}", count->second, StateName(state));
+    text +=
+        fmt::format(", {} {}", count->second, NameIn(kRunStateNames, state));
     runs += count->second;
   }
   out << fmt::format("{} run{}{}; {} of {} evaluations ({:.0f} %)\n", runs,

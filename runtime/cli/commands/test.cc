@@ -5,7 +5,8 @@
 #include <ostream>
 #include <thread>
 
-#include "runtime/cli/arguments/command.h"
+#include "runtime/cli/arguments/robots.h"
+#include "runtime/cli/files/output_file.h"
 #include "runtime/cli/files/output_path.h"
 #include "runtime/cli/testing/file.h"
 #include "runtime/cli/testing/files.h"

@@ -7,9 +7,10 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 
-#include "runtime/cli/arguments/command.h"
+#include "runtime/cli/arguments/genotypes.h"
 #include "runtime/cli/files/load_program.h"
 #include "runtime/cli/files/load_yaml.h"
+#include "runtime/cli/files/output_file.h"
 #include "runtime/cli/files/output_path.h"
 #include "runtime/cli/robots/recorded_life.h"
 #include "runtime/life/season_environments.h"
@@ -118,12 +119,8 @@ bool Deliver(const TrimCommand& command, const Source& source,
         command.output.empty() && command.format == OutputFormat::kJson;
     return is_told || WriteOutput(OutputOf(command), trimmed.text, io);
   }
-  if (trimmed.text == source.text()) return true;
-  const auto failure = WriteFile(source.name(), trimmed.text);
-  if (failure)
-    io.err << fmt::format("error: cannot write '{}': {}\n",
-                          Escaped(source.name()), *failure);
-  return !failure;
+  return trimmed.text == source.text() ||
+         WriteOrReport(source.name(), trimmed.text, io);
 }
 
 }  // namespace

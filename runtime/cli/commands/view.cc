@@ -3,7 +3,7 @@
 #include <ostream>
 
 #include "grammar/shown_line.h"
-#include "runtime/cli/arguments/command.h"
+#include "runtime/cli/arguments/view.h"
 #include "runtime/cli/commands/view_explain.h"
 #include "runtime/cli/commands/view_lives.h"
 #include "runtime/cli/files/output_path.h"

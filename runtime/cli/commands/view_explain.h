@@ -3,7 +3,7 @@
 // `plsc view --explain`: how genotypes become robots, as a page to point at.
 // The replays of `plsc view` are in view.cc.
 
-#include "runtime/cli/arguments/command.h"
+#include "runtime/cli/arguments/view.h"
 #include "runtime/cli/files/output_path.h"
 
 namespace plsc::cli {

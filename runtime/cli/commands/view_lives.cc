@@ -70,13 +70,8 @@ bool IsRobot(const std::string& word) {
 }
 
 std::optional<Viewed> LoadRecording(const std::string& path, Io& io) {
-  Result<Source> source = ReadSource(path, io);
-  if (!source) {
-    const Diagnostic& problem = source.diagnostics()[0];
-    io.err << fmt::format("error[{}]: {}\n", NumberOf(problem.code),
-                          Escaped(problem.message));
-    return std::nullopt;
-  }
+  const auto source = ReadOrReport(path, io);
+  if (!source) return std::nullopt;
   Result<Recording> recording = ParseRecording(*source);
   Report(recording.diagnostics(), *source, io);
   if (!recording) return std::nullopt;

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "runtime/cli/arguments/command.h"
+#include "runtime/cli/arguments/view.h"
 #include "runtime/recording/view_json.h"
 
 namespace plsc::cli {

@@ -5,8 +5,9 @@
 #include <ostream>
 
 #include "compiler/print.h"
+#include "grammar/number.h"
 #include "grammar/shown_line.h"
-#include "runtime/cli/arguments/command.h"
+#include "runtime/cli/arguments/robots.h"
 #include "runtime/cli/files/load_program.h"
 #include "runtime/cli/robots/robot_source.h"
 #include "runtime/develop/environment_json.h"
@@ -38,7 +39,7 @@ std::optional<int> CutNumber(std::string* text) {
       digits.find_first_not_of("0123456789") != std::string::npos)
     return std::nullopt;
   text->resize(colon);
-  return std::stoi(digits);
+  return ParseNumber<int>(digits);
 }
 
 FileAndPlace Split(const std::string& text) {

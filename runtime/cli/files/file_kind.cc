@@ -4,21 +4,18 @@
 #include <array>
 #include <vector>
 
+#include "grammar/keywords.h"
+
 namespace plsc::cli {
 
 namespace {
 
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
-bool IsOfKey(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
-         (c >= '0' && c <= '9') || c == '_';
-}
-
 // "population: 5" -> "population"; empty: not a key of YAML's outermost map.
 std::string_view KeyOf(std::string_view line) {
   if (line.starts_with('"') || line.starts_with('\'')) line.remove_prefix(1);
-  const auto end = std::find_if_not(line.begin(), line.end(), IsOfKey);
+  const auto end = std::find_if_not(line.begin(), line.end(), IsWordCharacter);
   const auto length = static_cast<std::size_t>(end - line.begin());
   const std::string_view key = line.substr(0, length);
   std::string_view rest = line.substr(length);

@@ -48,23 +48,14 @@ bool WantsColor(bool is_terminal, const char* no_color);
 /// system's reason; files over 16 MiB are refused (a genotype has kilobytes).
 Result<Source> ReadSource(const std::string& path, Io& io);
 
-/// Whether the path is a descriptor of this process under a name, as
-/// /dev/stdout.
-bool IsDescriptor(const std::string& path);
+/// The same for who goes no further without it: prints what is wrong.
+std::optional<Source> ReadOrReport(const std::string& path, Io& io);
 
-/// Replaces `path` as a whole or not at all: writes a neighbour file, flushes
-/// it to the disk and renames it. A pipe or a device is written into. The
-/// reason when that fails. Whether the file may be replaced is not asked: that
-/// is WriteOutput (output_path.h), which all outputs take.
-std::optional<std::string> WriteFile(const std::string& path,
-                                     std::string_view text);
-
-/// How WriteFile does it, for files that are written in pieces: into what is
-/// there, or as a neighbour of that name, which takes the name of the file. The
-/// file is the real one, behind symbolic links.
-bool IsWrittenInto(const std::string& path);
-std::string NeighbourOf(const std::string& real_path);
-std::string RealPath(const std::string& path);
+/// "error[P5014]: cannot read 'a.pls': ...": what ReadSource found wrong, of
+/// which there is no line to show.
+std::string RenderWithoutLine(const Diagnostic& problem);
+/// Prints it.
+void ReportUnreadable(const Diagnostic& problem, Io& io);
 
 /// Prints diagnostics to io.err.
 void Report(const std::vector<Diagnostic>& diagnostics, const Source& source,

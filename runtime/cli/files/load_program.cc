@@ -55,15 +55,6 @@ std::optional<NamedEnvironment> ReadOne(const Program& program,
   return NamedEnvironment{std::move(name), *environment};
 }
 
-std::optional<Source> Read(const std::string& path, Io& io) {
-  Result<Source> source = ReadSource(path, io);
-  if (source) return std::move(*source);
-  io.err << fmt::format("error[{}]: {}\n",
-                        NumberOf(source.diagnostics()[0].code),
-                        Escaped(source.diagnostics()[0].message));
-  return std::nullopt;
-}
-
 CompileOptions Options(bool allow_range) {
   CompileOptions options;
   options.allow_out_of_range = allow_range;
@@ -130,8 +121,10 @@ std::optional<std::size_t> Choose(const std::vector<MappedProgram>& all,
     names.push_back(all[i].program.genotype.name);
     if (names.back() == name) return i;
   }
-  io.err << fmt::format("error[P2019]: {} has no genotype '{}'\n",
-                        Escaped(source.name()), Escaped(name));
+  io.err << RenderWithoutLine(
+      {Code::kSeveralGenotypes,
+       {},
+       fmt::format("{} has no genotype '{}'", source.name(), name)});
   if (const auto near = Suggest(name, names))
     io.err << fmt::format("  = help: did you mean '{}'?\n", *near);
   else
@@ -153,7 +146,7 @@ std::optional<LoadedProgram> LoadWithMap(const std::string& path,
                                          bool allow_range, Io& io,
                                          const std::optional<Position>& at) {
   const GenotypePath from = SplitGenotypePath(path);
-  std::optional<Source> source = Read(from.file, io);
+  std::optional<Source> source = ReadOrReport(from.file, io);
   if (!source) return std::nullopt;
   std::vector<Diagnostic> warnings;
   auto all = Compiled(*source, allow_range, warnings, io);
@@ -169,7 +162,7 @@ std::optional<LoadedProgram> LoadWithMap(const std::string& path,
 std::optional<LoadedFile> LoadFile(const std::string& path, bool allow_range,
                                    Io& io) {
   const GenotypePath from = SplitGenotypePath(path);
-  std::optional<Source> source = Read(from.file, io);
+  std::optional<Source> source = ReadOrReport(from.file, io);
   if (!source) return std::nullopt;
   std::vector<Diagnostic> warnings;
   auto all = Compiled(*source, allow_range, warnings, io);

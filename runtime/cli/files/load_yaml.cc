@@ -1,26 +1,14 @@
 #include "runtime/cli/files/load_yaml.h"
 
-#include <fmt/format.h>
-
 #include <filesystem>
 #include <ostream>
 #include <utility>
 
-#include "grammar/shown_line.h"
 #include "runtime/scenario/scenario_yaml.h"
 
 namespace plsc::cli {
 
 namespace {
-
-std::optional<Source> Load(const std::string& path, Io& io) {
-  Result<Source> source = ReadSource(path, io);
-  if (source) return std::move(*source);
-  io.err << fmt::format("error[{}]: {}\n",
-                        NumberOf(source.diagnostics()[0].code),
-                        Escaped(source.diagnostics()[0].message));
-  return std::nullopt;
-}
 
 void Report(const Findings& findings, Io& io) {
   for (const CheckedFile& file : findings)
@@ -99,7 +87,7 @@ std::optional<Study> ReadStudyText(const Source& source, Findings& findings,
 
 std::optional<Scenario> LoadScenario(const std::string& path, Io& io) {
   if (path.empty()) return PaperScenario();
-  const std::optional<Source> source = Load(path, io);
+  const std::optional<Source> source = ReadOrReport(path, io);
   if (!source) return std::nullopt;
   Findings findings;
   auto scenario = ReadScenarioText(*source, findings);
@@ -108,7 +96,7 @@ std::optional<Scenario> LoadScenario(const std::string& path, Io& io) {
 }
 
 std::optional<Experiment> LoadExperiment(const std::string& path, Io& io) {
-  const std::optional<Source> source = Load(path, io);
+  const std::optional<Source> source = ReadOrReport(path, io);
   if (!source) return std::nullopt;
   Findings findings;
   auto experiment = ReadExperimentText(*source, findings, io);
@@ -117,7 +105,7 @@ std::optional<Experiment> LoadExperiment(const std::string& path, Io& io) {
 }
 
 std::optional<Study> LoadStudy(const std::string& path, Io& io) {
-  const std::optional<Source> source = Load(path, io);
+  const std::optional<Source> source = ReadOrReport(path, io);
   if (!source) return std::nullopt;
   Findings findings;
   auto study = ReadStudyText(*source, findings, io);

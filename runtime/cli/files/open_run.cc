@@ -3,12 +3,12 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <charconv>
 #include <filesystem>
 #include <fstream>
 #include <ostream>
 #include <string_view>
 
+#include "grammar/number.h"
 #include "grammar/shown_line.h"
 
 namespace plsc::cli {
@@ -37,13 +37,11 @@ Expected<int, Failure> IdOf(RunStore& store, const std::string& name) {
       return Failure("no generation is completed yet, so nobody is best");
     return status->best;
   }
-  int id = 0;
-  const char* end = name.data() + name.size();
-  const auto [rest, error] = std::from_chars(name.data(), end, id);
-  if (error != std::errc() || rest != end || id < 1)
+  const std::optional<int> id = ParseNumber<int>(name);
+  if (!id || *id < 1)
     return Failure(fmt::format(
         "expected the number of a robot, from 1, or best; found '{}'", name));
-  return id;
+  return *id;
 }
 
 Expected<std::vector<int>, Failure> IdsOf(

@@ -1,3 +1,10 @@
+// One rule for what an output may replace (docs/formats.md), asked twice:
+// before the work, so that nobody waits an hour to be told, and again when it
+// is written, as much may have happened since. A file is replaced if plsc made
+// one of this kind before, which its beginning or end shows (output_mark);
+// never what the command itself reads, under whatever name, and never a
+// database.
+
 #include "runtime/cli/files/output_path.h"
 
 #include <fcntl.h>
@@ -15,6 +22,7 @@
 #include "grammar/shown_line.h"
 #include "runtime/cli/files/load_program.h"
 #include "runtime/cli/files/open_run.h"
+#include "runtime/cli/files/output_file.h"
 
 namespace plsc::cli {
 
@@ -116,12 +124,7 @@ bool WriteOutput(const Output& output, std::string_view text, Io& io) {
     return true;
   }
   // Much may have happened since it was asked first.
-  if (!CanWrite(output, io)) return false;
-  const auto failure = WriteFile(path, text);
-  if (failure)
-    io.err << fmt::format("error: cannot write '{}': {}\n", Escaped(path),
-                          Escaped(*failure));
-  return !failure;
+  return CanWrite(output, io) && WriteOrReport(path, text, io);
 }
 
 }  // namespace plsc::cli

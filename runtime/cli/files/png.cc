@@ -1,10 +1,12 @@
 #include "runtime/cli/files/png.h"
 
+#include <cairo.h>
 #include <dlfcn.h>
 #include <fmt/format.h>
+#include <glib-object.h>
+#include <librsvg/rsvg.h>
 
 #include <cmath>
-#include <cstddef>
 #include <memory>
 
 #if defined(__has_feature)
@@ -33,17 +35,6 @@ namespace plsc::cli {
 
 namespace {
 
-// Of the libraries' documented C interfaces (librsvg 2.52 and later, cairo 1.2
-// and later), which are stable within these names of the shared objects.
-// Handles are opaque; declared here, their headers and 30 packages with them
-// are not needed to build.
-using Opaque = void;
-struct Rectangle {  // RsvgRectangle
-  double x, y, width, height;
-};
-constexpr int kArgb32 = 0;            // CAIRO_FORMAT_ARGB32
-constexpr int kCairoSuccess = 0;      // CAIRO_STATUS_SUCCESS
-constexpr int kCairoWriteError = 11;  // CAIRO_STATUS_WRITE_ERROR
 /// px a side; cairo's surfaces end at 32767, and more is a slip.
 constexpr double kMostPixels = 20000;
 
@@ -66,19 +57,19 @@ class Library {
   std::string name_;
 };
 
+/// The functions that are called, of the types that the libraries' headers give
+/// them, so that the compiler checks each call.
 struct Functions {
-  Opaque* (*new_from_data)(const unsigned char*, std::size_t,
-                           Opaque**) = nullptr;
-  int (*intrinsic_size)(Opaque*, double*, double*) = nullptr;
-  int (*render)(Opaque*, Opaque*, const Rectangle*, Opaque**) = nullptr;
-  void (*unref)(Opaque*) = nullptr;
-  Opaque* (*surface_create)(int, int, int) = nullptr;
-  int (*surface_status)(Opaque*) = nullptr;
-  void (*surface_destroy)(Opaque*) = nullptr;
-  Opaque* (*create)(Opaque*) = nullptr;
-  void (*destroy)(Opaque*) = nullptr;
-  int (*write_png)(Opaque*, int (*)(void*, const unsigned char*, unsigned),
-                   void*) = nullptr;
+  decltype(&rsvg_handle_new_from_data) new_from_data = nullptr;
+  decltype(&rsvg_handle_get_intrinsic_size_in_pixels) intrinsic_size = nullptr;
+  decltype(&rsvg_handle_render_document) render = nullptr;
+  decltype(&g_object_unref) unref = nullptr;
+  decltype(&cairo_image_surface_create) surface_create = nullptr;
+  decltype(&cairo_surface_status) surface_status = nullptr;
+  decltype(&cairo_surface_destroy) surface_destroy = nullptr;
+  decltype(&cairo_create) create = nullptr;
+  decltype(&cairo_destroy) destroy = nullptr;
+  decltype(&cairo_surface_write_to_png_stream) write_png = nullptr;
 
   bool Find(const Library& rsvg, const Library& cairo, const Library& gobject) {
     return rsvg.Find("rsvg_handle_new_from_data", new_from_data) &&
@@ -96,32 +87,35 @@ struct Functions {
 };
 
 // Calls of a C library must not be left by an exception.
-int Append(void* closure, const unsigned char* data, unsigned length) noexcept {
+cairo_status_t Append(void* closure, const unsigned char* data,
+                      unsigned length) noexcept {
   try {
     static_cast<std::string*>(closure)->append(
         reinterpret_cast<const char*>(data), length);
-    return kCairoSuccess;
+    return CAIRO_STATUS_SUCCESS;
   } catch (const std::bad_alloc&) {
-    return kCairoWriteError;
+    return CAIRO_STATUS_WRITE_ERROR;
   }
 }
 
 using Png = Expected<std::string, Failure>;
-using Owned = std::unique_ptr<Opaque, void (*)(Opaque*)>;
+template <typename T, typename Argument = T>
+using Owned = std::unique_ptr<T, void (*)(Argument*)>;
 
-Png Draw(const Functions& call, Opaque* handle, const Rectangle& size) {
-  const Owned surface(call.surface_create(kArgb32, static_cast<int>(size.width),
-                                          static_cast<int>(size.height)),
-                      call.surface_destroy);
-  if (call.surface_status(surface.get()) != kCairoSuccess)
+Png Draw(const Functions& call, RsvgHandle* handle, const RsvgRectangle& size) {
+  const Owned<cairo_surface_t> surface(
+      call.surface_create(CAIRO_FORMAT_ARGB32, static_cast<int>(size.width),
+                          static_cast<int>(size.height)),
+      call.surface_destroy);
+  if (call.surface_status(surface.get()) != CAIRO_STATUS_SUCCESS)
     return Failure("cannot make a PNG: not enough memory");
   {
-    const Owned context(call.create(surface.get()), call.destroy);
-    if (call.render(handle, context.get(), &size, nullptr) == 0)
+    const Owned<cairo_t> context(call.create(surface.get()), call.destroy);
+    if (call.render(handle, context.get(), &size, nullptr) == FALSE)
       return Failure("cannot make a PNG: librsvg cannot draw the picture");
   }
   std::string png;
-  if (call.write_png(surface.get(), Append, &png) != kCairoSuccess)
+  if (call.write_png(surface.get(), Append, &png) != CAIRO_STATUS_SUCCESS)
     return Failure("cannot make a PNG: cairo cannot write the picture");
   return png;
 }
@@ -144,16 +138,16 @@ Expected<std::string, Failure> PngOf(const std::string& svg, double scale,
   if (!call.Find(rsvg, cairo, gobject))
     return Failure(
         "cannot make a PNG: librsvg 2.52 or newer is needed, or write an .svg");
-  const Owned handle(
+  const Owned<RsvgHandle, void> handle(
       call.new_from_data(reinterpret_cast<const unsigned char*>(svg.data()),
                          svg.size(), nullptr),
       call.unref);
   double width = 0;
   double height = 0;
-  if (!handle || call.intrinsic_size(handle.get(), &width, &height) == 0)
+  if (!handle || call.intrinsic_size(handle.get(), &width, &height) == FALSE)
     return Failure("cannot make a PNG: librsvg cannot read the picture");
-  const Rectangle size{0, 0, std::round(width * scale),
-                       std::round(height * scale)};
+  const RsvgRectangle size{0, 0, std::round(width * scale),
+                           std::round(height * scale)};
   const auto is_drawable = [](double pixels) {
     return pixels >= 1 && pixels <= kMostPixels;  // and so not NaN
   };

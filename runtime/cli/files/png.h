@@ -2,7 +2,8 @@
 
 // SVG to PNG, by librsvg and cairo. They are loaded when a picture is asked
 // for: they and what they need would cost each start of plsc some 20 ms, and
-// who needs no PNG need not install them.
+// who needs no PNG need not install them. Their headers are needed when plsc is
+// built; without them there are no PNGs (no_png.cc).
 
 #include <string>
 

@@ -1,3 +1,7 @@
+// A signal may come between any two instructions, so its handler sets a flag
+// and nothing else. It is set once: a second Ctrl-C finds the system's own way
+// and ends the program at once, for whoever does not want to wait.
+
 #include "runtime/cli/running/interrupt.h"
 
 namespace plsc::cli {

@@ -11,9 +11,11 @@
 #include <system_error>
 
 #include "runtime/cli/files/io.h"
+#include "runtime/cli/files/output_file.h"
 #include "runtime/cli/files/pipe_errors.h"
 #include "runtime/cli/running/progress.h"
 #include "runtime/text/json_dump.h"
+#include "runtime/text/system_reason.h"
 
 namespace plsc::cli {
 
@@ -79,18 +81,6 @@ std::optional<std::string> ProblemOfLog(const std::string& path) {
          "name";
 }
 
-const char* NameOf(Ending ending) {
-  switch (ending) {
-    case Ending::kFinished:
-      return "finished";
-    case Ending::kStopped:
-      return "stopped";
-    case Ending::kFailed:
-      return "failed";
-  }
-  return "failed";
-}
-
 }  // namespace
 
 JsonLog::JsonLog(std::ostream& standard_output)
@@ -110,9 +100,7 @@ MaybeFailure JsonLog::Open(const std::string& path) {
   errno = 0;
   file_.open(path, std::ios::app);
   if (!file_)
-    return fmt::format(
-        "cannot write to '{}': {}", path,
-        std::error_code(errno, std::generic_category()).message());
+    return fmt::format("cannot write to '{}': {}", path, SystemReason(errno));
   out_ = &file_;
   return std::nullopt;
 }
@@ -167,7 +155,7 @@ void JsonLog::WriteProgress(const char* event, double now) {
 void JsonLog::Finish(Ending ending, const std::string& failure) {
   const double now = clock_();
   Json json = Begin("end", now);
-  json["ending"] = NameOf(ending);
+  json["ending"] = NameIn(kEndingNames, ending);
   json["failure"] = ending == Ending::kFailed ? Json(failure) : Json(nullptr);
   AddProgress(last_, meter_.At(now), json);
   Write(DumpJson(json));
@@ -181,8 +169,7 @@ void JsonLog::Write(const std::string& line) {
   *out_ << line << std::endl;
   if (*out_) return;
   failure_ =
-      fmt::format("cannot write to '{}': {}", path_,
-                  std::error_code(errno, std::generic_category()).message());
+      fmt::format("cannot write to '{}': {}", path_, SystemReason(errno));
   if (out_ == &file_) file_.close();  // which tries once more
 }
 

@@ -1,3 +1,9 @@
+// A rate over a window that is long enough to have whole generations in it: at
+// the end of a generation workers wait for its last robots, and a shorter
+// window would jump between too fast and too slow. So it reaches back a minute,
+// or to the beginning of the generation before this one, whichever is longer.
+// Samples are kept at most ten a second.
+
 #include "runtime/cli/running/pace.h"
 
 #include <algorithm>

@@ -1,3 +1,9 @@
+// One line that fits, whatever the terminal: pieces have ranks, and where the
+// line is too long it is first written briefly and then loses its pieces from
+// the least important on. Redrawn at most five times a second; in a file, a
+// line a generation or a minute. Clock and width are handed in, so that tests
+// draw without waiting.
+
 #include "runtime/cli/running/progress.h"
 
 #include <fmt/format.h>
@@ -12,6 +18,7 @@
 #include <vector>
 
 #include "grammar/shown_line.h"
+#include "runtime/text/quantity.h"
 
 namespace plsc::cli {
 
@@ -22,8 +29,6 @@ constexpr double kRedraw = 0.2;  // s
 
 // Who looks at a log file wants to see that the run lives.
 constexpr double kLogPause = 60;  // s
-
-constexpr double kCentimetres = 100;  // the paper's unit of Speed
 
 std::string SpeedText(const std::optional<double>& fitness) {
   return fitness ? fmt::format("{:.2f}", kCentimetres * *fitness) : "none";

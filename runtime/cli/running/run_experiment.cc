@@ -1,3 +1,13 @@
+// Everything is opened and looked through before anything is made, and what a
+// failing command made is removed again (Discard): a typo must not leave half a
+// store that the next attempt trips over. Caches are asked in the order of
+// nearness: the run's own store, a salvaged one, the shared one.
+//
+// Evolve reads no clock and knows no signal. It asks should_stop some ten times
+// a second, and that is where the progress line ticks and Ctrl-C is noticed.
+// What went wrong at the end, in closing the store, makes a failed run of a
+// finished one: results that are not on the disk are no results.
+
 #include "runtime/cli/running/run_experiment.h"
 
 #include <fmt/chrono.h>
@@ -42,18 +52,6 @@ std::string UtcNow() {
   return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
 }
 
-std::string_view EndingName(Ending ending) {
-  switch (ending) {
-    case Ending::kFinished:
-      return "finished";
-    case Ending::kStopped:
-      return "stopped";
-    case Ending::kFailed:
-      return "failed";
-  }
-  return "";
-}
-
 bool IsNew(const RunRequest& request) {
   std::error_code error;
   return request.experiment &&
@@ -72,8 +70,7 @@ MaybeFailure OpenStore(const RunRequest& request, RunStore& store) {
           request.path);
     return failure;
   }
-  if (!request.experiment || PrintExperiment(*request.experiment) ==
-                                 PrintExperiment(store.experiment()))
+  if (!request.experiment || AreSame(*request.experiment, store.experiment()))
     return std::nullopt;
   store.Discard();
   return fmt::format(
@@ -100,8 +97,7 @@ MaybeFailure OpenSalvage(RunRequest& request, Salvage& salvage, Io& io) {
     return fmt::format(
         "what '{}' is a run of cannot be read: name the experiment's file, too",
         request.salvage);
-  if (own && request.experiment &&
-      PrintExperiment(*own) != PrintExperiment(*request.experiment))
+  if (own && request.experiment && !AreSame(*own, *request.experiment))
     return fmt::format("'{}' is a run of another experiment or seed",
                        request.salvage);
   if (!request.allow_other_version && salvage.versions() != ThisProgram())
@@ -215,7 +211,7 @@ SessionEnd EndOf(const RunOutcome& outcome) {
   const Effort& effort = outcome.effort;
   SessionEnd end;
   end.ended = UtcNow();
-  end.how = EndingName(outcome.result.ending);
+  end.how = NameIn(kEndingNames, outcome.result.ending);
   if (!outcome.result.failure.empty()) end.how += ": " + outcome.result.failure;
   end.workers = effort.workers;
   end.evaluations = effort.evaluations;

@@ -43,12 +43,6 @@ std::string Explain(const std::vector<Diagnostic>& diagnostics,
   return Render(diagnostics, source);
 }
 
-std::string Unreadable(const Result<Source>& source) {
-  const Diagnostic& problem = source.diagnostics()[0];
-  return fmt::format("error[{}]: {}\n", NumberOf(problem.code),
-                     Escaped(problem.message));
-}
-
 std::string NamesOf(const Program& program) {
   std::string names;
   for (const NamedEnvironment& named : program.environments)
@@ -82,11 +76,15 @@ Chosen Choose(const Program& program, const std::string& text) {
 }
 
 std::string TooLong(const Genotype& genotype) {
-  return fmt::format(
-      "error[P4001]: development would produce more than {} symbols\n"
-      "  = help: lower 'iterations' (now {}), or let rules replace themselves "
-      "by fewer modules\n",
-      kMaxStringLength, genotype.development.iterations);
+  return RenderWithoutLine({Code::kTooLongString,
+                     {},
+                     fmt::format("development would produce more than {} "
+                                 "symbols",
+                                 kMaxStringLength)}) +
+         fmt::format(
+             "  = help: lower 'iterations' (now {}), or let rules replace "
+             "themselves by fewer modules\n",
+             genotype.development.iterations);
 }
 
 // Tests `golden` and, with `update`, brings it up to date.
@@ -172,7 +170,7 @@ struct Loaded {
 std::optional<Loaded> Load(const TestPaths& paths, std::string& problem) {
   Result<Source> source = ReadPath(paths.genotype);
   if (!source) {
-    problem = Unreadable(source);
+    problem = RenderWithoutLine(source.diagnostics()[0]);
     return std::nullopt;
   }
   Result<Programs> programs = CompileAllWithMap(*source);
@@ -184,7 +182,7 @@ std::optional<Loaded> Load(const TestPaths& paths, std::string& problem) {
 std::optional<Golden> LoadGolden(const TestPaths& paths, std::string& problem) {
   const Result<Source> source = ReadPath(paths.golden);
   if (!source) {
-    problem = Unreadable(source);
+    problem = RenderWithoutLine(source.diagnostics()[0]);
     return std::nullopt;
   }
   Result<Golden> golden = ParseGolden(*source);

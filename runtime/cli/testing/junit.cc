@@ -4,6 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "runtime/text/xml.h"
+
 namespace plsc::cli {
 
 namespace {
@@ -21,25 +23,11 @@ std::string ValidUtf8(std::string_view bytes) {
 // Empty: the character stays as it is. Blanks but the space are numbered,
 // since readers turn them into spaces in attributes.
 std::string Escape(char c) {
-  switch (c) {
-    case '&':
-      return "&amp;";
-    case '<':
-      return "&lt;";
-    case '>':
-      return "&gt;";
-    case '"':
-      return "&quot;";
-    case '\t':
-    case '\n':
-    case '\r':
-      return fmt::format("&#{};", static_cast<int>(c));
-    default:
-      break;
-  }
+  if (c == '\t' || c == '\n' || c == '\r')
+    return fmt::format("&#{};", static_cast<int>(c));
   // XML 1.0, production 2: no other control characters, not even numbered.
   if (static_cast<unsigned char>(c) < 0x20) return std::string(kReplacement);
-  return "";
+  return std::string(XmlEntity(c));
 }
 
 std::string DifferenceLines(const TestCase& test) {
@@ -55,12 +43,12 @@ std::string CaseXml(const TestedFile& tested, const TestCase& test) {
   if (!test.genotype.empty()) name = test.genotype + ": " + name;
   const std::string open =
       fmt::format("    <testcase classname=\"{}\" name=\"{}\"",
-                  XmlText(tested.paths.genotype), XmlText(name));
+                  JunitText(tested.paths.genotype), JunitText(name));
   const auto with = [&](const char* element, const std::string& headline,
                         const std::string& text) {
     return fmt::format(
         "{}>\n      <{} message=\"{}\">{}</{}>\n    </testcase>\n", open,
-        element, XmlText(headline), XmlText(text), element);
+        element, JunitText(headline), JunitText(text), element);
   };
   switch (test.verdict) {
     case Verdict::kSame:
@@ -87,7 +75,7 @@ std::string CaseXml(const TestedFile& tested, const TestCase& test) {
 
 }  // namespace
 
-std::string XmlText(std::string_view bytes) {
+std::string JunitText(std::string_view bytes) {
   const std::string valid = ValidUtf8(bytes);
   std::string text;
   for (std::size_t i = 0; i < valid.size(); ++i) {
@@ -112,7 +100,7 @@ std::string JunitSuite(const TestedFile& tested) {
   Count(tested, totals);
   std::string text = fmt::format(
       "  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"{}\">\n",
-      XmlText(tested.paths.genotype), totals.tests,
+      JunitText(tested.paths.genotype), totals.tests,
       totals.differ + totals.unrecorded, totals.errors);
   for (const TestCase& test : tested.cases) text += CaseXml(tested, test);
   return text + "  </testsuite>\n";

@@ -19,6 +19,6 @@ std::string JunitDocument(const TestTotals& totals, std::string_view suites);
 
 /// Any bytes as text of an XML attribute or element: marked characters are
 /// escaped; what is no UTF-8, or no character of XML 1.0, becomes U+FFFD.
-std::string XmlText(std::string_view bytes);
+std::string JunitText(std::string_view bytes);
 
 }  // namespace plsc::cli

@@ -6,6 +6,7 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
+#include "grammar/enum_names.h"
 #include "runtime/text/json_dump.h"
 
 namespace plsc::cli {
@@ -57,9 +58,12 @@ std::string CaseText(const TestPaths& paths, const TestCase& test) {
 }
 
 std::string_view VerdictName(Verdict verdict) {
-  constexpr std::array<std::string_view, 5> kNames{
-      "same", "differs", "unrecorded", "error", "updated"};
-  return kNames[static_cast<std::size_t>(verdict)];
+  constexpr EnumNames<Verdict, 5> kNames{{{Verdict::kSame, "same"},
+                                          {Verdict::kDiffers, "differs"},
+                                          {Verdict::kUnrecorded, "unrecorded"},
+                                          {Verdict::kError, "error"},
+                                          {Verdict::kUpdated, "updated"}}};
+  return NameIn(kNames, verdict);
 }
 
 Json DifferencesJson(const std::vector<Difference>& differences) {

@@ -3,18 +3,13 @@
 #include <catch2/catch.hpp>
 #include <string>
 
+#include "tests/compiler/changes/merge_rows.h"
+
 namespace plsc {
 namespace {
 
 TEST_CASE("Lines that one side changed are taken", "[merge]") {
-  struct Row {
-    const char* why;
-    const char* base;
-    const char* ours;
-    const char* theirs;
-    const char* merged;
-  };
-  const std::vector<Row> rows = {
+  const std::vector<test::MergeRow> rows = {
       {"nothing", "", "", "", ""},
       {"ours", "1\n2\n3\n", "1\nx\n3\n", "1\n2\n3\n", "1\nx\n3\n"},
       {"both, apart", "1\n2\n3\n", "x\n2\n3\n", "1\n2\ny\n", "x\n2\ny\n"},
@@ -23,13 +18,12 @@ TEST_CASE("Lines that one side changed are taken", "[merge]") {
       {"no line end", "1\n2", "0\n1\n2", "1\n2", "0\n1\n2"},
       {"both added alike", "", "1\n", "1\n", "1\n"},
   };
-  for (const Row& row : rows) {
-    DYNAMIC_SECTION(row.why) {
-      const MergedFile merged = MergeLines(row.base, row.ours, row.theirs);
-      CHECK(merged.text == row.merged);
-      CHECK(merged.conflicts.empty());
-    }
-  }
+  test::CheckMerges(rows,
+                    [](const char* base, const char* ours, const char* theirs) {
+                      const MergedFile merged = MergeLines(base, ours, theirs);
+                      CHECK(merged.conflicts.empty());
+                      return merged.text;
+                    });
 }
 
 TEST_CASE("Lines that both sides changed get git's markers", "[merge]") {

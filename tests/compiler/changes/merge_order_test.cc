@@ -2,6 +2,8 @@
 
 #include <catch2/catch.hpp>
 
+#include "tests/compiler/changes/merge_rows.h"
+
 namespace plsc {
 namespace {
 
@@ -24,14 +26,7 @@ std::string Ordered(const std::string& base, const std::string& ours,
 }
 
 TEST_CASE("MergeOrder keeps the order that a side gave", "[merge_order]") {
-  struct Row {
-    const char* why;
-    const char* base;
-    const char* ours;
-    const char* theirs;
-    const char* merged;
-  };
-  const std::vector<Row> rows = {
+  const std::vector<test::MergeRow> rows = {
       {"nothing changed", "abc", "abc", "abc", "abc"},
       {"ours moved", "abc", "cab", "abc", "cab"},
       {"theirs moved", "abc", "abc", "cab", "cab"},
@@ -41,11 +36,7 @@ TEST_CASE("MergeOrder keeps the order that a side gave", "[merge_order]") {
       {"behind what moved", "abc", "cab", "abxc", "cabx"},
       {"things of one side only", "", "ca", "b", "bca"},
   };
-  for (const Row& row : rows) {
-    DYNAMIC_SECTION(row.why) {
-      CHECK(Ordered(row.base, row.ours, row.theirs) == row.merged);
-    }
-  }
+  test::CheckMerges(rows, Ordered);
 }
 
 TEST_CASE("MergeOrder of additions does not ask which side is ours",

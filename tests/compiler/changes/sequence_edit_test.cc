@@ -4,18 +4,13 @@
 
 #include <string>
 
+#include "tests/compiler/changes/merge_rows.h"
+
 namespace plsc {
 namespace {
 
-EditCosts CostsBetween(const std::string& from, const std::string& to) {
-  return {12, [from, to](std::size_t i, std::size_t j) {
-            return from[i] == to[j] ? 0 : 10;
-          }};
-}
-
-std::vector<int> Numbers(const std::string& text) {
-  return {text.begin(), text.end()};
-}
+using test::LetterCosts;
+using test::Letters;
 
 // Each letter that stays or becomes another, with '-' for those that are gone
 // and what is inserted in parentheses: "a(x)-c".
@@ -57,7 +52,7 @@ TEST_CASE("FindEdit finds the cheapest edit", "[sequence_edit]") {
   };
   for (const Row& row : rows) {
     DYNAMIC_SECTION(row.why) {
-      const EditCosts costs = CostsBetween(row.from, row.to);
+      const EditCosts costs = LetterCosts(row.from, row.to);
       const auto shown = [&](EditPreference preference) {
         return Shown(row.to, FindEdit(row.from.size(), row.to.size(), costs,
                                       preference));
@@ -77,7 +72,7 @@ TEST_CASE("FindEdit of long sequences aligns what is between equal ends",
   to.erase(2500, 1);
   to.insert(2600, "!");
   const SequenceEdit edit = FindEdit(
-      from.size(), to.size(), CostsBetween(from, to), EditPreference::kEarly);
+      from.size(), to.size(), LetterCosts(from, to), EditPreference::kEarly);
   CHECK(edit.becomes[2500] == kNoElement);
   CHECK(edit.becomes[2501] == 2500);
   CHECK(edit.inserted[2601] == std::vector<int>{2600});
@@ -89,21 +84,21 @@ TEST_CASE("FindEdit pairs in order what is too long to align",
   const std::string from(3000, 'a');
   const std::string to = "x" + std::string(2500, 'b') + "y";
   const SequenceEdit edit = FindEdit(
-      from.size(), to.size(), CostsBetween(from, to), EditPreference::kEarly);
+      from.size(), to.size(), LetterCosts(from, to), EditPreference::kEarly);
   CHECK(edit.becomes[0] == 0);
   CHECK(edit.becomes[2501] == 2501);
   CHECK(edit.becomes[2502] == kNoElement);
   const SequenceEdit back = FindEdit(
-      to.size(), from.size(), CostsBetween(to, from), EditPreference::kLate);
+      to.size(), from.size(), LetterCosts(to, from), EditPreference::kLate);
   CHECK(back.inserted[2502].size() == 498);
 }
 
 TEST_CASE("FindSwaps tells what moved from what became another",
           "[sequence_edit]") {
   const auto swaps = [](const std::string& from, const std::string& to) {
-    return FindSwaps(FindEdit(from.size(), to.size(), CostsBetween(from, to),
+    return FindSwaps(FindEdit(from.size(), to.size(), LetterCosts(from, to),
                               EditPreference::kEarly),
-                     Numbers(from), Numbers(to))
+                     Letters(from), Letters(to))
         .swapped;
   };
   using Pairs = std::vector<std::pair<int, int>>;

@@ -4,18 +4,13 @@
 
 #include <string>
 
+#include "tests/compiler/changes/merge_rows.h"
+
 namespace plsc {
 namespace {
 
-EditCosts CostsBetween(const std::string& from, const std::string& to) {
-  return {12, [from, to](std::size_t i, std::size_t j) {
-            return from[i] == to[j] ? 0 : 10;
-          }};
-}
-
-std::vector<int> Numbers(const std::string& text) {
-  return {text.begin(), text.end()};
-}
+using test::LetterCosts;
+using test::Letters;
 
 char Letter(const std::string& text, int index) {
   return index == kNoElement ? '-' : text[static_cast<std::size_t>(index)];
@@ -25,8 +20,8 @@ char Letter(const std::string& text, int index) {
 std::string Merged(const std::string& base, const std::string& ours,
                    const std::string& theirs) {
   const SequenceMerge merge =
-      MergeSequences({Numbers(base), Numbers(ours), Numbers(theirs)},
-                     CostsBetween(base, ours), CostsBetween(base, theirs));
+      MergeSequences({Letters(base), Letters(ours), Letters(theirs)},
+                     LetterCosts(base, ours), LetterCosts(base, theirs));
   std::string text;
   for (const MergedElement& element : merge) {
     const char b = Letter(base, element.base);
@@ -43,14 +38,7 @@ std::string Merged(const std::string& base, const std::string& ours,
 }
 
 TEST_CASE("MergeSequences does what both sides did", "[sequence_merge]") {
-  struct Row {
-    const char* why;
-    const char* base;
-    const char* ours;
-    const char* theirs;
-    const char* merged;
-  };
-  const std::vector<Row> rows = {
+  const std::vector<test::MergeRow> rows = {
       {"one side only", "abc", "axc", "abc", "axc"},
       {"both the same", "abc", "axc", "axc", "axc"},
       {"both the same of equals", "abbc", "abc", "abc", "abc"},
@@ -70,12 +58,12 @@ TEST_CASE("MergeSequences does what both sides did", "[sequence_merge]") {
       {"two swaps", "abcdef", "bacdef", "abcdfe", "bacdfe"},
       {"the same swap", "abcdef", "bacdef", "bacdef", "bacdef"},
   };
-  for (const Row& row : rows) {
-    DYNAMIC_SECTION(row.why) {
-      CHECK(Merged(row.base, row.ours, row.theirs) == row.merged);
-      CHECK(Merged(row.base, row.theirs, row.ours) == row.merged);
-    }
-  }
+  test::CheckMerges(rows,
+                    [](const char* base, const char* ours, const char* theirs) {
+                      const std::string merged = Merged(base, ours, theirs);
+                      CHECK(Merged(base, theirs, ours) == merged);
+                      return merged;
+                    });
 }
 
 TEST_CASE("MergeSequences finds where sides clash", "[sequence_merge]") {

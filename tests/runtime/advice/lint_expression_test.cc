@@ -15,7 +15,8 @@ std::vector<Diagnostic> Linted(const Source& source) {
   INFO(Render(compiled.diagnostics(), source));
   REQUIRE(compiled);
   const StateSpace space(compiled->program.genotype);
-  const auto regimes = FindRegimes(compiled->program.genotype, space);
+  const auto regimes =
+      FindRegimes(ClausesOf(compiled->program.genotype), space);
   REQUIRE(regimes);
   return LintExpression(*compiled, space, *regimes, {0, 4});
 }

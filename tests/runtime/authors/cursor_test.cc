@@ -5,18 +5,6 @@
 namespace plsc {
 namespace {
 
-TEST_CASE("Numbers are those that Python writes", "[authors_cursor]") {
-  CHECK(ParseAuthorsNumber("1") == 1);
-  CHECK(ParseAuthorsNumber("-0.25") == -0.25);
-  CHECK(ParseAuthorsNumber("1e-05") == 1e-5);
-  CHECK(ParseAuthorsNumber("1.5e+16") == 1.5e16);
-  for (const char* text : {"", "nan", "inf", "-inf", "0x10", "1e999", "1,2",
-                           " 1", "1 ", "one", "+1", "1_000", "-"}) {
-    CAPTURE(text);
-    CHECK_FALSE(ParseAuthorsNumber(text));
-  }
-}
-
 TEST_CASE("A cursor takes what is there, and remembers its first error",
           "[authors_cursor]") {
   AuthorsCursor cursor(" [ 'hill' , 2.5 ]");

@@ -18,8 +18,9 @@
 #include <set>
 #include <sstream>
 
-#include "runtime/cli/arguments/command.h"
 #include "runtime/cli/arguments/command_description.h"
+#include "runtime/cli/run.h"
+#include "tests/process_end.h"
 #include "tests/runtime/cli/run_plsc.h"
 #include "tests/runtime/cli/tiny_run.h"
 
@@ -286,11 +287,10 @@ Reported Run(const std::vector<std::string>& arguments, const World& world,
   ::close(told);
   const bool has_pipe =
       std::find(arguments.begin(), arguments.end(), "fifo") != arguments.end();
-  Reported result;
-  while (::waitpid(child, &result.status, has_pipe ? WNOHANG : 0) == 0) {
+  while (has_pipe && !test::EndsWithin(child, 1))
     TouchPipe(world.path() + "/fifo");
-    ::usleep(1000);
-  }
+  Reported result;
+  REQUIRE(::waitpid(child, &result.status, 0) == child);
   const std::string text = test::ReadFile(file);
   const std::size_t mark = text.find('\0');
   result.out = text.substr(0, mark);

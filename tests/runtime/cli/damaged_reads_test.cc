@@ -109,9 +109,9 @@ TEST_CASE("Nor do those that live a robot again", "[damaged_reads]") {
   FlipBits(SlowOnes, 6, kSeed + 1);
 }
 
-TEST_CASE("Nor hundreds of them", "[damaged_reads][slow]") {
-  FlipBits(QuickOnes, 150, kSeed + 2);
-  FlipBits(SlowOnes, 30, kSeed + 3);
+TEST_CASE("Nor scores of them", "[damaged_reads][slow]") {
+  FlipBits(QuickOnes, 75, kSeed + 2);
+  FlipBits(SlowOnes, 15, kSeed + 3);
 }
 
 }  // namespace

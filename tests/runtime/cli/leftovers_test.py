@@ -12,29 +12,10 @@ import subprocess
 import sys
 import tempfile
 
-PLSC = str(pathlib.Path(sys.argv[1]).resolve())
+sys.dont_write_bytecode = True  # beside the sources
+from tiny_files import EXPERIMENT, study
 
-EXPERIMENT = """plsc_experiment: 1
-name: tiny
-population: 4
-offspring: 4
-generations: 2
-scenario:
-  seasons: [{name: flat, terrain: flat, duration: 1 s}]
-"""
-STUDY = """plsc_study: 1
-name: tiny
-seed: 1
-repetitions: 2
-base:
-  population: 4
-  offspring: 4
-  generations: 2
-  scenario:
-    seasons: [{name: flat, terrain: flat, duration: 1 s}]
-experiments:
-  one: {encoding: plasticoding}
-"""
+PLSC = str(pathlib.Path(sys.argv[1]).resolve())
 
 
 def run(folder, *command):
@@ -144,7 +125,7 @@ def with_folder(check, *arguments):
     folder = pathlib.Path(tempfile.mkdtemp(prefix="plsc_leftovers_"))
     try:
         (folder / "e.yaml").write_text(EXPERIMENT)
-        (folder / "s.yaml").write_text(STUDY)
+        (folder / "s.yaml").write_text(study(2))
         (folder / "victim").write_text("kept\n")
         check(folder, *arguments)
         assert (folder / "victim").read_text() == "kept\n", arguments

@@ -13,30 +13,11 @@ import subprocess
 import sys
 import tempfile
 
+sys.dont_write_bytecode = True  # beside the sources
+from tiny_files import EXPERIMENT, study
+
 PLSC = str(pathlib.Path(sys.argv[1]).resolve())
 REPOSITORY = pathlib.Path(sys.argv[2]).resolve()
-
-EXPERIMENT = """plsc_experiment: 1
-name: tiny
-population: 4
-offspring: 4
-generations: 2
-scenario:
-  seasons: [{name: flat, terrain: flat, duration: 1 s}]
-"""
-STUDY = """plsc_study: 1
-name: tiny
-seed: 1
-repetitions: 1
-base:
-  population: 4
-  offspring: 4
-  generations: 2
-  scenario:
-    seasons: [{name: flat, terrain: flat, duration: 1 s}]
-experiments:
-  one: {encoding: plasticoding}
-"""
 
 
 def run(folder, command, limit=None):
@@ -63,7 +44,7 @@ def make_inputs(folder):
     (folder / "misspelt.pls").write_text(
         (folder / "robot.pls").read_text().replace("add_", "ad_", 1))
     (folder / "e.yaml").write_text(EXPERIMENT)
-    (folder / "s.yaml").write_text(STUDY)
+    (folder / "s.yaml").write_text(study(1))
     for command in (["evolve", "e.yaml", "-o", "run.sqlite", "--quiet"],
                     ["simulate", "robot.pls", "--record", "lives.json"]):
         done = run(folder, command)

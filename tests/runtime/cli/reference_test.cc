@@ -4,7 +4,7 @@
 #include <catch2/catch.hpp>
 #include <sstream>
 
-#include "runtime/cli/arguments/command.h"
+#include "runtime/cli/run.h"
 #include "tests/runtime/develop/reference_cases.h"
 
 namespace plsc {

@@ -8,7 +8,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "runtime/cli/arguments/command.h"
+#include "runtime/cli/run.h"
 
 namespace plsc::test {
 

@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <catch2/catch.hpp>
-#include <variant>
 
-#include "runtime/cli/arguments/command.h"
+#include "runtime/cli/arguments/arguments.h"
 #include "runtime/cli/arguments/command_description.h"
+#include "runtime/cli/arguments/git.h"
+#include "runtime/cli/arguments/pictures.h"
+#include "runtime/cli/arguments/robots.h"
 #include "tests/runtime/cli/run_plsc.h"
 #include "tests/runtime/cli/tiny_run.h"
 
@@ -18,9 +20,9 @@ using test::RunPlsc;
 template <typename One>
 One Parsed(const std::vector<std::string>& arguments) {
   const cli::Command command = cli::ParseArguments(arguments);
-  if (const auto* answer = std::get_if<cli::Answer>(&command))
-    FAIL(answer->err);
-  return std::get<One>(command);
+  if (const auto* answer = command.As<cli::Answer>()) FAIL(answer->err);
+  REQUIRE(command.As<One>() != nullptr);
+  return *command.As<One>();
 }
 
 TEST_CASE("A value is one word, wherever the option stands", "[values]") {
@@ -77,7 +79,7 @@ TEST_CASE("No option of several values swallows words", "[values]") {
         words.emplace_back(word);
       words.insert(words.end() - 4, option.names.back());
       const cli::Command parsed = cli::ParseArguments(words);
-      CHECK(std::holds_alternative<cli::Answer>(parsed));
+      CHECK(parsed.As<cli::Answer>() != nullptr);
     }
   }
   CHECK(tried >= 9);

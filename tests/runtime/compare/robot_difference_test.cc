@@ -17,7 +17,7 @@ std::vector<EnvironmentDifference> Compared(const std::string& before,
                                             const std::string& after) {
   const Program old_program = Compiled(before);
   const Program new_program = Compiled(after);
-  return CompareRobotsIn(
+  return CompareRobots(
       FindSharedEnvironments(old_program, new_program).environments,
       old_program.genotype, new_program.genotype);
 }

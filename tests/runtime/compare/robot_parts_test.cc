@@ -15,7 +15,7 @@ Reported CompareSample(const std::function<void(GoldenRobot&)>& change) {
   GoldenRobot found = expected;
   change(found);
   std::vector<Difference> differences;
-  CompareRobots(expected, found, differences);
+  CompareParts(expected, found, differences);
   Reported lines;
   for (const Difference& difference : differences)
     lines.push_back(Describe(difference));

@@ -17,7 +17,7 @@ TEST_CASE("Robots are compared wherever clauses of either tell apart",
                         "environment home { a = True, b = False }\n");
   const Genotype same =
       test::Robot(kStates + "rule C -> if a = True then { C B add_left B }\n");
-  const auto equal = CompareRobots(before.genotype, same, before.environments);
+  const auto equal = CompareRegimes(before.genotype, same, before.environments);
   REQUIRE(equal);
   CHECK(AreSame(*equal));
   REQUIRE(equal->size() == 2);
@@ -28,7 +28,7 @@ TEST_CASE("Robots are compared wherever clauses of either tell apart",
   // Only where a holds and b does not is there a difference.
   const Genotype other = test::Robot(
       kStates + "rule C -> if a = True and b = True then { C add_left B }\n");
-  const auto compared = CompareRobots(before.genotype, other, {});
+  const auto compared = CompareRegimes(before.genotype, other, {});
   REQUIRE(compared);
   CHECK_FALSE(AreSame(*compared));
   REQUIRE(compared->size() == 3);
@@ -43,8 +43,8 @@ TEST_CASE("What cannot be developed is not compared", "[same_robots]") {
   const Genotype small = test::Robot("iterations 30\nrule C -> { C B }\n");
   const Genotype large =
       test::Robot("iterations 30\nrule C -> { C B }\nrule B -> { B B }\n");
-  CHECK_FALSE(CompareRobots(small, large, {}));
-  CHECK(CompareRobots(small, small, {}));
+  CHECK_FALSE(CompareRegimes(small, large, {}));
+  CHECK(CompareRegimes(small, small, {}));
 }
 
 }  // namespace

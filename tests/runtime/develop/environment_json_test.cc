@@ -19,7 +19,7 @@ const std::vector<State>& SomeStates() {
 TEST_CASE("What is sensed has the type of its state", "[environment_json]") {
   CHECK(EnvironmentJson({{0, 30.5, 1}}, SomeStates()).dump() ==
         R"({"inclined":false,"heat":30.5,"ground":"wet"})");
-  const Senses senses = {
+  const std::map<std::string, std::string> senses = {
       {"ground", "dry"}, {"heat", "-1e-3"}, {"inclined", "False"}};
   CHECK(SensesJson(senses, SomeStates()).dump() ==
         R"({"ground":"dry","heat":-0.001,"inclined":false})");

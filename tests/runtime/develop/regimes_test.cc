@@ -28,7 +28,7 @@ TEST_CASE("Environments with the same active rules are one regime",
       const auto rules = Regulate(genotype, {space.At(i)}).rules;
       ++expected.emplace(rules, std::pair{i, 0}).first->second.second;
     }
-    const auto regimes = FindRegimes(genotype, space);
+    const auto regimes = FindRegimes(ClausesOf(genotype), space);
     INFO(text);
     REQUIRE(regimes);
     std::map<std::vector<RuleIndex>, std::pair<int, int>> found;

@@ -96,7 +96,7 @@ std::string JoinedText(const Genotype& genotype, SymbolId head,
                        const Environment& environment) {
   std::string text;
   const ActiveRules active = Regulate(genotype, environment);
-  for (const Occurrence& o : active.joined[static_cast<std::size_t>(head)]) {
+  for (const Occurrence& o : active.joined[head]) {
     if (!text.empty()) text += ' ';
     text += (*genotype.alphabet)[o.symbol].name;
   }

@@ -26,7 +26,8 @@ using test::SmallExperiment;
 
 /// Slower for some than for others, so that answers overtake each other.
 Simulated LookSlowly(const Phenotype& robot, const Season& season) {
-  usleep(static_cast<useconds_t>(NumberOf(robot) % 5) * 500);
+  for (std::uint64_t more = NumberOf(robot) % 5 * 5; more > 0; --more)
+    Look(robot, season);
   return Look(robot, season);
 }
 

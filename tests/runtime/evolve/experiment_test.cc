@@ -92,6 +92,11 @@ TEST_CASE("A scenario of its own file is left to the caller", "[experiment]") {
       Source("e", "scenario: seasons.yaml\nstates: [unheard_of]\n"));
   REQUIRE(read);
   CHECK(read->scenario_file == "seasons.yaml");
+  Experiment same = *read;
+  same.scenario_file.clear();
+  CHECK(AreSame(*read, same));
+  ++same.seed;
+  CHECK_FALSE(AreSame(*read, same));
   const std::vector<Diagnostic> errors = CheckSenses(*read);
   REQUIRE(errors.size() == 2);
   CHECK(errors[0].message.find("season 'flat'") != std::string::npos);

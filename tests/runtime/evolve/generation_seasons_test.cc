@@ -34,11 +34,12 @@ namespace {
 /// All that a season is, as text: every bit of every number.
 std::string TextOf(const SeasonResult& season) {
   std::string text = season.season + ' ';
-  text += fmt::format("{} {} {} {}", OutcomeName(season.outcome), season.reason,
-                      ChangeName(season.change), season.change_reason);
+  text +=
+      fmt::format("{} {} {} {}", OutcomeName(season.outcome), season.reason,
+                  NameIn(kChangeNames, season.change), season.change_reason);
   for (const SensedState& state : season.sensed)
     text += fmt::format(" {}={} {}", state.name, state.value,
-                        SenseSourceName(state.from));
+                        NameIn(kSenseSourceNames, state.from));
   const auto add = [&](const std::optional<double>& value) {
     text += value ? fmt::format(" {:a}", *value) : " none";
   };

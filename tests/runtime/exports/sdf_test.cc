@@ -126,16 +126,25 @@ void CheckAsWorld(RobotModel model) {
   CheckIsModel(Read(*file.robot), model);
 }
 
-// The reader takes 0.1 s a file, so that the many are slow.
+// The reader takes 0.1 s a file, so that the many are slow, and not all of
+// them: the odd ones at the beginning, then every fourth.
 constexpr std::size_t kFew = 8;
+
+std::vector<RobotModel> Many() {
+  constexpr std::size_t kOdd = 4;
+  const std::vector<RobotModel>& all = test::ManyModels();
+  std::vector<RobotModel> many;
+  for (std::size_t i = 0; i < all.size(); i += i < kOdd ? 1 : 4)
+    many.push_back(all[i]);
+  return many;
+}
 
 TEST_CASE("libsdformat reads the robot that plsc simulates", "[sdf]") {
   for (std::size_t i = 0; i < kFew; ++i) CheckAsWorld(test::ManyModels()[i]);
 }
 
-TEST_CASE("libsdformat reads all the robots that plsc simulates",
-          "[sdf][slow]") {
-  for (const RobotModel& model : test::ManyModels()) CheckAsWorld(model);
+TEST_CASE("libsdformat reads many robots that plsc simulates", "[sdf][slow]") {
+  for (const RobotModel& model : Many()) CheckAsWorld(model);
 }
 
 TEST_CASE("libsdformat reads what the authors' program assembled",
@@ -255,9 +264,9 @@ TEST_CASE("Gazebo's reader finds sensors and friction of a URDF", "[sdf]") {
   for (std::size_t i = 0; i < kFew; ++i) CheckAsUrdf(test::ManyModels()[i]);
 }
 
-TEST_CASE("Gazebo's reader finds sensors and friction of all URDFs",
+TEST_CASE("Gazebo's reader finds sensors and friction of many URDFs",
           "[sdf][slow]") {
-  for (const RobotModel& model : test::ManyModels()) CheckAsUrdf(model);
+  for (const RobotModel& model : Many()) CheckAsUrdf(model);
 }
 
 }  // namespace

@@ -27,7 +27,7 @@ TEST_CASE("A printed ground reads back equal", "[terrain]") {
         ParseScenario(Source("s", "seasons: [{terrain: " + text + "}]\n"));
     REQUIRE(read);
     CHECK(read->seasons[0].terrain == terrain);
-    CHECK(read->seasons[0].name == TerrainName(terrain.type));
+    CHECK(read->seasons[0].name == NameIn(kTerrainNames, terrain.type));
   }
 }
 

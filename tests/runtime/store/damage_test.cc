@@ -105,7 +105,7 @@ TEST_CASE("A damaged store is refused, or nothing of it was damaged",
 }
 
 TEST_CASE("However often", "[damage][slow]") {
-  DamageOften(1000, kSeed + 1);
+  DamageOften(400, kSeed + 1);
 }
 
 TEST_CASE("A damaged journal never makes a wrong store", "[damage]") {

@@ -5,26 +5,6 @@
 
 namespace plsc {
 
-TEST_CASE("Every enumerator has a name that means it", "[names]") {
-  for (int i = 0; i <= static_cast<int>(Outcome::kStopped); ++i)
-    CHECK(OutcomeOf(OutcomeName(static_cast<Outcome>(i))) ==
-          static_cast<Outcome>(i));
-  for (const Change change :
-       {Change::kBorn, Change::kNone, Change::kBrain, Change::kBody})
-    CHECK(ChangeOf(ChangeName(change)) == change);
-  for (const Profile profile : {Profile::kPaper, Profile::kPublished})
-    CHECK(ProfileOf(ProfileName(profile)) == profile);
-  for (const MutationKind kind : {MutationKind::kDelete, MutationKind::kSwap,
-                                  MutationKind::kAdd, MutationKind::kClause})
-    CHECK(MutationOf(MutationName(kind)) == kind);
-  for (const SenseSource source :
-       {SenseSource::kSeason, SenseSource::kImu, SenseSource::kParent})
-    CHECK(SourceOf(SenseSourceName(source)) == source);
-  CHECK_FALSE(OutcomeOf("complete"));
-  CHECK_FALSE(ChangeOf(""));
-  CHECK_FALSE(MutationOf("delete "));
-}
-
 TEST_CASE("Keys come back from their digits", "[names]") {
   const Key key{0x00ff00ff12345678, std::numeric_limits<std::uint64_t>::max()};
   CHECK(KeyOfHex(Hex(key)) == key);

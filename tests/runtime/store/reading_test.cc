@@ -174,8 +174,8 @@ TEST_CASE("Of a run under way, too", "[reading]") {
 }
 
 TEST_CASE("However many bits are tried", "[reading][slow]") {
-  FlipBits(5, 200, kSeed + 2);
-  FlipBits(3, 200, kSeed + 3);
+  FlipBits(5, 100, kSeed + 2);
+  FlipBits(3, 100, kSeed + 3);
 }
 
 }  // namespace plsc

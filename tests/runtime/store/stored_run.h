@@ -44,7 +44,7 @@ Recorder RecordRun(const Experiment& experiment);
 std::string Report(const Recorder& recorder, RunStore& store, int order = 0,
                    int generations = 1000);
 
-/// A store with such a run, closed.
+/// A store with such a run, closed; made once a program, then copied.
 void WriteRun(const std::string& path, int generations = 1000);
 
 std::string ReadBytes(const std::string& path);

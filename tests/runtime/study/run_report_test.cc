@@ -38,11 +38,11 @@ struct Prepared {
 }  // namespace
 
 TEST_CASE("States of a run have names", "[run_report]") {
-  CHECK(StateName(RunState::kMissing) == "missing");
-  CHECK(StateName(RunState::kUnfinished) == "unfinished");
-  CHECK(StateName(RunState::kRunning) == "running");
-  CHECK(StateName(RunState::kDone) == "done");
-  CHECK(StateName(RunState::kDamaged) == "damaged");
+  CHECK(NameIn(kRunStateNames, RunState::kMissing) == "missing");
+  CHECK(NameIn(kRunStateNames, RunState::kUnfinished) == "unfinished");
+  CHECK(NameIn(kRunStateNames, RunState::kRunning) == "running");
+  CHECK(NameIn(kRunStateNames, RunState::kDone) == "done");
+  CHECK(NameIn(kRunStateNames, RunState::kDamaged) == "damaged");
 }
 
 TEST_CASE("A run that is done shows the best robot's speeds", "[run_report]") {

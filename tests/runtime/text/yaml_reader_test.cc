@@ -8,6 +8,10 @@ namespace plsc {
 
 namespace {
 
+enum class Colour : std::uint8_t { kRed, kGreen };
+constexpr EnumNames<Colour, 2> kColourNames{
+    {{Colour::kRed, "red"}, {Colour::kGreen, "green"}}};
+
 /// Reads a few keys of each kind, and reports what it found wrong.
 std::string Errors(const std::string& text) {
   const Source source("test.yaml", text);
@@ -17,7 +21,7 @@ std::string Errors(const std::string& text) {
     root->Int("count", 1, 0, 100);
     root->Bool("growing", false);
     root->Text("name", "x");
-    root->Choice("colour", 0, {"red", "green"});
+    root->Choice("colour", Colour::kRed, kColourNames);
     if (const auto seed = root->Find("seed")) seed->Unsigned();
     if (const auto list = root->Find("items")) {
       const auto items = list->List("numbers");
@@ -43,7 +47,7 @@ TEST_CASE("A file that is all right gives its values", "[yaml]") {
   CHECK(root->Int("count", 1, 0, 100) == 7);
   CHECK(root->Bool("growing", false));
   CHECK(root->Text("name", "") == "a b");
-  CHECK(root->Choice("colour", 0, {"red", "green"}) == 1);
+  CHECK(root->Choice("colour", Colour::kRed, kColourNames) == Colour::kGreen);
   CHECK(root->Find("seed")->Unsigned() == 18446744073709551615u);
   CHECK(root->Int("missing", 42, 0, 100) == 42);
   root->Close();

@@ -15,6 +15,7 @@ namespace plsc {
 
 using test::Collect;
 using test::SharedCounter;
+using test::WaitForEver;
 
 namespace {
 
@@ -34,10 +35,6 @@ void Spin(double seconds) {
 std::string HangAtSeven(const std::string& text, void (*hang)()) {
   if (text == "7") hang();
   return text;
-}
-
-void SleepForEver() {
-  while (true) sleep(600);
 }
 
 void SpinForEver() {
@@ -60,7 +57,7 @@ TEST_CASE("What hangs two workers is reported and not tried again",
     const char* why;
     void (*hang)();
   };
-  const std::vector<Row> rows = {{"it sleeps", SleepForEver},
+  const std::vector<Row> rows = {{"it sleeps", WaitForEver},
                                  {"it computes", SpinForEver},
                                  {"it wakes to sleep again", DozeForEver},
                                  {"it is stopped", StopForEver}};
@@ -86,7 +83,7 @@ TEST_CASE("What hangs two workers is reported and not tried again",
 TEST_CASE("A worker that hung once is forgiven", "[workers]") {
   SharedCounter begun;
   WorkerPool pool({1, 0.25}, [&](const std::string& text) {
-    if (begun.Increment() == 1) SleepForEver();
+    if (begun.Increment() == 1) WaitForEver();
     return text;
   });
   pool.Submit(1, "one");
@@ -100,7 +97,7 @@ TEST_CASE("A worker that does not take its request hangs", "[workers]") {
     if (text == "deaf") {
       const std::string frame = Frame("heard");
       if (write(3, frame.data(), frame.size()) < 0) _exit(1);
-      SleepForEver();
+      WaitForEver();
     }
     return text.substr(0, 1);
   });
@@ -111,12 +108,22 @@ TEST_CASE("A worker that does not take its request hangs", "[workers]") {
 }
 
 TEST_CASE("Without a limit nobody hangs", "[workers]") {
-  WorkerPool pool(1, [](const std::string& text) {
-    usleep(300'000);
+  SharedCounter begun;
+  SharedCounter looks;
+  constexpr int kLooks = 50;
+  WorkerPool pool(1, [&](const std::string& text) {
+    begun.Increment();
+    looks.WaitFor(kLooks);
     return text;
   });
   pool.Submit(1, "one");
+  begun.WaitFor(1);
+  for (int i = 0; i < kLooks; ++i) {
+    CHECK(pool.Wait(1).empty());
+    looks.Increment();
+  }
   CHECK(Collect(pool).at(1) == "one");
+  CHECK(begun.value() == 1);
 }
 
 // Ctrl-Z, `scancel --signal=STOP`, a laptop's lid.
@@ -128,12 +135,12 @@ TEST_CASE("Whose process group was stopped for long does not hang",
   const pid_t group = fork();
   if (group == 0) {
     setpgid(0, 0);
-    WorkerPool pool({2, 1.5}, [&](const std::string& text) {
+    WorkerPool pool({2, 0.5}, [&](const std::string& text) {
       begun.Increment();
       if (text == "0")
-        Spin(0.3);
+        Spin(0.1);
       else
-        usleep(300'000);  // what the stop does not prolong
+        usleep(100'000);  // what the stop does not prolong
       return text;
     });
     pool.Submit(0, "0");
@@ -145,10 +152,10 @@ TEST_CASE("Whose process group was stopped for long does not hang",
     deaths.Set(dead);
     _exit(0);
   }
-  while (begun.value() < 2) usleep(1000);
+  begun.WaitFor(2);
   kill(-group, SIGSTOP);
-  // Twice the limit.
-  sleep(3);
+  // Twice the limit: what is tried is that time passes.
+  sleep(1);
   kill(-group, SIGCONT);
   int status = 0;
   REQUIRE(waitpid(group, &status, 0) == group);
@@ -168,9 +175,9 @@ TEST_CASE("Who waits for a core does not hang", "[workers][slow]") {
   REQUIRE(sched_setaffinity(0, sizeof one, &one) == 0);
   SharedCounter begun;
   {
-    WorkerPool pool({4, 1}, [&](const std::string& text) {
+    WorkerPool pool({4, 0.4}, [&](const std::string& text) {
       begun.Increment();
-      Spin(0.7);
+      Spin(0.28);
       return text;
     });
     for (int i = 0; i < 4; ++i) pool.Submit(i, std::to_string(i));

@@ -15,6 +15,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/process_end.h"
 #include "tests/runtime/workers/worker_helpers.h"
 #include "tests/sanitizer.h"
 
@@ -24,6 +25,7 @@ using test::Collect;
 using test::IsAlive;
 using test::kPatience;
 using test::SharedCounter;
+using test::WaitForEver;
 
 namespace {
 
@@ -68,9 +70,9 @@ TEST_CASE("Texts may be empty, or larger than a socket's buffer", "[workers]") {
   for (int i = 2; i < 6; ++i) CHECK((answers.at(i) == large + large));
 }
 
-TEST_CASE("Texts of 50 MB go both ways at once", "[workers][slow]") {
+TEST_CASE("Texts of 10 MB go both ways at once", "[workers][slow]") {
   WorkerPool pool(2, [](const std::string& text) { return text; });
-  const std::string large(50'000'000, 'x');
+  const std::string large(10'000'000, 'x');
   for (int i = 0; i < 3; ++i) pool.Submit(i, large);
   const auto answers = Collect(pool);
   REQUIRE(answers.size() == 3);
@@ -213,15 +215,14 @@ TEST_CASE("Workers die with a parent that is killed", "[workers]") {
   if (parent == 0) {
     WorkerPool pool(1, [](const std::string& text) {
       // What has begun would last longer than the test.
-      if (text == "sleep") sleep(600);
+      if (text == "for ever") WaitForEver();
       return std::to_string(getpid());
     });
     pool.Submit(0, "");
     const std::string pid = Collect(pool).at(0);
-    pool.Submit(1, "sleep");
+    pool.Submit(1, "for ever");
     if (write(ends[1], pid.data(), pid.size()) < 0) _exit(1);
-    sleep(600);
-    _exit(0);
+    WaitForEver();
   }
   char buffer[32] = {};
   REQUIRE(read(ends[0], buffer, sizeof(buffer) - 1) > 0);
@@ -229,13 +230,9 @@ TEST_CASE("Workers die with a parent that is killed", "[workers]") {
   CHECK(IsAlive(worker));
   kill(parent, SIGKILL);
   CHECK(waitpid(parent, nullptr, 0) == parent);
-  constexpr int kLongEnough = 200;  // times 10 ms
-  pid_t ended = 0;
-  for (int i = 0; i < kLongEnough && ended == 0; ++i) {
-    usleep(10'000);
-    ended = waitpid(worker, nullptr, WNOHANG);
-  }
-  CHECK(ended == worker);
+  constexpr int kLongEnough = 20'000;  // ms
+  REQUIRE(test::EndsWithin(worker, kLongEnough));
+  CHECK(waitpid(worker, nullptr, 0) == worker);
   close(ends[0]);
   close(ends[1]);
   prctl(PR_SET_CHILD_SUBREAPER, 0);
@@ -313,10 +310,11 @@ TEST_CASE("A pool that can have no workers says why", "[workers]") {
 }
 
 TEST_CASE("A worker that speaks without being asked is replaced", "[workers]") {
-  WorkerPool pool(2, [](const std::string& text) {
+  SharedCounter collected;
+  WorkerPool pool(2, [&](const std::string& text) {
     // Garbage after the answer reaches the pool when nothing is asked.
     if (text == "twice" && fork() == 0) {
-      usleep(100'000);
+      collected.WaitFor(1);
       SendGarbage();
       _exit(0);
     }
@@ -324,6 +322,7 @@ TEST_CASE("A worker that speaks without being asked is replaced", "[workers]") {
   });
   pool.Submit(0, "twice");
   const pid_t worker = PidFrom(Collect(pool).at(0));
+  collected.Increment();
   // The other worker keeps the pool waiting meanwhile.
   while (IsAlive(worker)) {
     pool.Submit(1, "");

@@ -2,7 +2,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "runtime/cli/arguments/command.h"
+#include "runtime/cli/run.h"
 #include "tests/runtime/cli/run_plsc.h"
 
 namespace plsc {

@@ -1,6 +1,5 @@
 #include <catch2/catch.hpp>
 
-#include "tests/runtime/cli/png_size.h"
 #include "tests/runtime/cli/run_plsc.h"
 #include "tests/runtime/cli/tiny_run.h"
 #include "tests/runtime/pictures/count.h"
@@ -88,27 +87,6 @@ TEST_CASE("draw writes one picture of all environments", "[draw]") {
       RunPlsc({"draw", "-", "-o", path, "--brain"}, kPlasticText);
   REQUIRE(brain.exit == 0);
   CHECK(Count(ReadFile(path), R"(class="node")") == 1);
-}
-
-TEST_CASE("draw writes PNGs at a scale", "[draw]") {
-  const test::TemporaryFolder folder;
-  const std::string path = folder / "robot.png";
-  for (const char* what : {"--colour=type", "--colour=rule", "--brain"}) {
-    INFO(what);
-    REQUIRE(
-        RunPlsc({"draw", "-", "-o", path, what, "--scale", "1"}, kPlasticText)
-            .exit == 0);
-    const auto small = test::PngSizeOf(ReadFile(path));
-    REQUIRE(RunPlsc({"draw", "-", "-o", path, what}, kPlasticText).exit == 0);
-    const auto large = test::PngSizeOf(ReadFile(path));
-    REQUIRE(small);
-    REQUIRE(large);
-    CHECK(small->width > 100);
-    CHECK(large->width == 2 * small->width);
-    CHECK(large->height == 2 * small->height);
-    // All white, it would be a tenth of that.
-    CHECK(ReadFile(path).size() > 5000);
-  }
 }
 
 TEST_CASE("draw shows a robot of a run in its seasons", "[draw]") {

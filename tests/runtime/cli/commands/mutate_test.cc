@@ -56,7 +56,8 @@ TEST_CASE("mutate makes the mutation that a run of evolution makes",
     Genotype wanted = child.genotype;
     wanted.name = parent.name;
     CHECK(line["text"] == Print(wanted));
-    CHECK(line["mutation"] == MutationName(child.heritage.mutation->kind));
+    CHECK(line["mutation"] ==
+          NameIn(kMutationNames, child.heritage.mutation->kind));
     CHECK(line["rule"] == child.heritage.mutation->rule + 1);
     CHECK(line["changed"] == (wanted != parent));
   }

@@ -1,6 +1,7 @@
 #include "runtime/cli/commands/offspring.h"
 
 #include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "compiler/compile.h"
@@ -18,7 +19,7 @@ TEST_CASE("Children are one file of several genotypes", "[offspring]") {
   std::ostringstream out;
   std::ostringstream err;
   cli::Io io{in, out, err};
-  REQUIRE(cli::DeliverChildren({{program, "one", {}}, {program, "two", {}}},
+  REQUIRE(cli::DeliverChildren({{program, "one", "{}"}, {program, "two", "{}"}},
                                {"", cli::OutputKind::kGenotype}, io));
   const auto all = CompileAll(Source("all", out.str()));
   REQUIRE(all);
@@ -27,14 +28,14 @@ TEST_CASE("Children are one file of several genotypes", "[offspring]") {
   CHECK(err.str() == "a_1: one\na_2: two\n");
 
   out.str("");
-  REQUIRE(cli::DeliverChildren({{program, "one", {{"seed", 1}}}},
+  REQUIRE(cli::DeliverChildren({{program, "one", R"({"seed":1})"}},
                                {"", cli::OutputKind::kChildren}, io));
   const auto line = nlohmann::json::parse(out.str());
   CHECK(line["genotype"] == "a");
   CHECK(line["seed"] == 1);
   CHECK(line["text"] == Print(program));
-  CHECK_FALSE(
-      cli::DeliverChildren({{program, "one", {}}}, {"/no/such/folder/x"}, io));
+  CHECK_FALSE(cli::DeliverChildren({{program, "one", "{}"}},
+                                   {"/no/such/folder/x"}, io));
 }
 
 }  // namespace

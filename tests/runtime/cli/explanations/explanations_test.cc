@@ -152,6 +152,7 @@ TEST_CASE("Each code can be told, by its name only", "[explanations]") {
   CHECK(names.size() == DiagnosticCodes().size() + 2);  // defects of plsc
   CHECK(FoundInSources("Code::(k\\w+)") == names);
   CHECK(FoundInSources("\"([PW][0-9]{4})\"").empty());
+  CHECK(FoundInSources("error\\[([PW][0-9]{4})\\]:").empty());
 }
 
 TEST_CASE("Wrong examples give their code, mended ones give none",

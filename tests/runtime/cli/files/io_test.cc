@@ -1,8 +1,5 @@
 #include "runtime/cli/files/io.h"
 
-#include <signal.h>
-#include <sys/resource.h>
-
 #include <catch2/catch.hpp>
 #include <sstream>
 
@@ -47,33 +44,17 @@ TEST_CASE("what cannot be read is said", "[io]") {
   CHECK(Read("-", huge).diagnostics()[0].code == Code::kTooLargeFile);
 }
 
-TEST_CASE("a file is replaced as a whole, or left alone", "[io]") {
+TEST_CASE("who goes no further without a source is told", "[io]") {
   const test::TemporaryFolder folder;
-  const std::string path = folder / "a";
-  REQUIRE_FALSE(cli::WriteFile(path, "one"));
-  REQUIRE_FALSE(cli::WriteFile(path, "two"));
-  CHECK(test::ReadFile(path) == "two");
-  CHECK(folder.Files() == std::vector<std::string>{"a"});
-  CHECK(cli::WriteFile(folder / "none/b", "x"));
-  CHECK(cli::WriteFile(folder.path().string(), "x"));
-  CHECK(folder.Files() == std::vector<std::string>{"a"});
-}
-
-TEST_CASE("a full disk leaves the old file and no leftovers", "[io]") {
-  // A limit on the size of files fails a write as a full disk does.
-  const test::TemporaryFolder folder;
-  const std::string path = folder.Write("a", "old");
-  rlimit before{};
-  REQUIRE(::getrlimit(RLIMIT_FSIZE, &before) == 0);
-  const rlimit small{1024, before.rlim_max};
-  const auto old_handler = ::signal(SIGXFSZ, SIG_IGN);
-  REQUIRE(::setrlimit(RLIMIT_FSIZE, &small) == 0);
-  const auto failure = cli::WriteFile(path, std::string(4096, 'x'));
-  ::setrlimit(RLIMIT_FSIZE, &before);
-  ::signal(SIGXFSZ, old_handler);
-  CHECK(failure);
-  CHECK(test::ReadFile(path) == "old");
-  CHECK(folder.Files() == std::vector<std::string>{"a"});
+  std::istringstream in;
+  std::ostringstream out;
+  std::ostringstream err;
+  cli::Io io{in, out, err};
+  CHECK(cli::ReadOrReport(folder.Write("a", "text"), io)->text() == "text");
+  CHECK(err.str().empty());
+  CHECK_FALSE(cli::ReadOrReport(folder / "no\nne", io));
+  CHECK(err.str().starts_with("error[P5014]: cannot read '"));
+  CHECK(err.str().find("no\\nne': No such file") != std::string::npos);
 }
 
 TEST_CASE("Colour is for terminals whose user does not refuse it", "[io]") {

@@ -5,10 +5,10 @@
 namespace plsc {
 namespace {
 
+using cli::JunitText;
 using cli::Verdict;
-using cli::XmlText;
 
-TEST_CASE("XmlText makes any bytes text of XML", "[test_junit]") {
+TEST_CASE("JunitText makes any bytes text of XML", "[test_junit]") {
   struct Row {
     const char* why;
     std::string bytes;
@@ -31,9 +31,9 @@ TEST_CASE("XmlText makes any bytes text of XML", "[test_junit]") {
     DYNAMIC_SECTION(row.why) {
       // How many replacements a broken sequence gets is the library's matter.
       if (std::string(row.why) == "a surrogate")
-        CHECK(XmlText(row.bytes).find('\xED') == std::string::npos);
+        CHECK(JunitText(row.bytes).find('\xED') == std::string::npos);
       else
-        CHECK(XmlText(row.bytes) == row.text);
+        CHECK(JunitText(row.bytes) == row.text);
     }
   }
 }

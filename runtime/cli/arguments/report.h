@@ -1,0 +1,29 @@
+#pragma once
+
+// `plsc report`: what studies and runs say.
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "runtime/cli/files/io.h"
+
+namespace plsc::cli {
+
+class Options;
+
+enum class ReportFormat : std::uint8_t { kHtml, kJson };
+
+struct ReportCommand {
+  std::vector<std::string> paths;  ///< folders of studies, runs
+  std::string output;              ///< empty: standard output, kJson only
+  bool force = false;              ///< as Output::force
+  std::string measures = "paper";
+  ReportFormat format = ReportFormat::kHtml;
+  bool verify = false;
+  bool quiet = false;
+};
+void Add(Options& options, ReportCommand& command);
+Exit Run(const ReportCommand& command, Io& io);
+
+}  // namespace plsc::cli

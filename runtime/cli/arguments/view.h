@@ -1,0 +1,28 @@
+#pragma once
+
+// Pages that show robots.
+
+#include <string>
+#include <vector>
+
+#include "runtime/cli/files/io.h"
+
+namespace plsc::cli {
+
+class Options;
+
+struct ViewCommand {
+  /// Recordings, genotypes, stores of runs; a store is followed by the ids (or
+  /// "best") of those of its robots that are meant.
+  std::vector<std::string> inputs;
+  std::string output;    ///< the page
+  bool force = false;    ///< as Output::force
+  std::string scenario;  ///< of genotypes; empty: the paper's
+  bool explain = false;  ///< the page of development instead, of genotypes
+  std::vector<std::string> environments;  ///< of `explain`, as DevelopCommand's
+  bool allow_range = false;
+};
+void Add(Options& options, ViewCommand& command);
+Exit Run(const ViewCommand& command, Io& io);
+
+}  // namespace plsc::cli
