@@ -203,7 +203,7 @@ void LintAll(const std::vector<plsc::MappedProgram>& programs,
   plsc::fuzz::RequireSound(warnings, source);
   const bool is_warned = std::any_of(
       warnings.begin(), warnings.end(),
-      [](const auto& w) { return w.code == Code::kMayGrowTooLong; });
+      [](const auto& w) { return w.code == plsc::Code::kMayGrowTooLong; });
   const bool is_silenced =
       source.text().find("allow") != std::string_view::npos;
   Require(is_warned == is_refused || (is_silenced && !is_warned),
