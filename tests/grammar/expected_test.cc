@@ -23,7 +23,7 @@ TEST_CASE("A value that was found may be moved out", "[expected]") {
   Expected<std::unique_ptr<int>, Failure> found = std::make_unique<int>(3);
   REQUIRE(found);
   CHECK(**found == 3);
-  const std::unique_ptr<int> taken = *std::move(found);
+  const std::unique_ptr<int> taken = std::move(*found);
   CHECK(*taken == 3);
 }
 

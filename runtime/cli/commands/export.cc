@@ -21,7 +21,8 @@ namespace {
 template <typename Writer>
 MaybeFailure WriteFileWith(const std::string& path, const Writer& write) {
   OutputFile file(path);
-  const auto told = [&](const MaybeFailure& reason) -> MaybeFailure {
+  const auto told =
+      [&](const std::optional<std::string>& reason) -> MaybeFailure {
     if (!reason) return std::nullopt;
     return fmt::format("cannot write to '{}': {}", file.path(), *reason);
   };

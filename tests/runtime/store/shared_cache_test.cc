@@ -112,7 +112,7 @@ TEST_CASE("A cache that cannot be written any more only warns",
   CHECK_FALSE(cache.Add({3, 4}, Example()));
   setrlimit(RLIMIT_FSIZE, &before);
   REQUIRE(cache.warning());
-  CHECK(cache.warning()->find("not used any more") != std::string::npos);
+  CHECK(cache.warning()->text.find("not used any more") != std::string::npos);
   CHECK_FALSE(cache.Find({1, 2}));
 }
 
