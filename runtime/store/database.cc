@@ -207,6 +207,11 @@ std::int64_t Statement::TakeInteger() {
   return sqlite3_column_int64(statement_, column_++);
 }
 
+std::int64_t SingleInteger(Database& database, const std::string& sql) {
+  Statement statement(database, sql);
+  return statement.With().Next() ? statement.TakeInteger() : 0;
+}
+
 int Statement::TakeInt() {
   const std::int64_t value = TakeInteger();
   return std::in_range<int>(value) ? static_cast<int>(value) : 0;

@@ -146,6 +146,9 @@ class Database {
   MaybeFailure failure_;
 };
 
+/// The one integer that the statement asks for; 0 if there is no row.
+std::int64_t SingleInteger(Database& database, const std::string& sql);
+
 /// All that is written while it lives, or nothing; and all that is read is of
 /// one instant.
 class Transaction {

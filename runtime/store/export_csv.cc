@@ -28,7 +28,7 @@ std::string TypedSenses(const std::string& text,
                     nlohmann::ordered_json::error_handler_t::replace);
 }
 
-std::string Header(const Statement& rows) {
+std::string HeaderLine(const Statement& rows) {
   std::string line;
   for (int i = 0; i < rows.columns(); ++i) {
     if (i > 0) line += ',';
@@ -158,7 +158,7 @@ MaybeFailure CsvExport::Write(const CsvTable& table, const Sink& sink) {
   Database& database = parts_->database;
   Statement rows(database, table.sql);
   if (MaybeFailure failure = database.TakeFailure()) return failure;
-  if (MaybeFailure failure = sink(Header(rows))) return failure;
+  if (MaybeFailure failure = sink(HeaderLine(rows))) return failure;
   std::vector<std::string> columns;
   columns.reserve(static_cast<std::size_t>(rows.columns()));
   for (int i = 0; i < rows.columns(); ++i)

@@ -16,11 +16,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string Dump(const Json& json) {
-  // What a damaged file has for a text may be no UTF-8.
-  return DumpJson(json);
-}
-
 std::string RunLine(const RunStore& store) {
   const Experiment& experiment = store.experiment();
   Json run;
@@ -38,7 +33,7 @@ std::string RunLine(const RunStore& store) {
   // With every constant of the physics, as text that reads back equal.
   run["experiment"] = PrintExperiment(experiment);
   run["scenario"] = PrintScenario(experiment.scenario);
-  return Dump({{"run", run}}) + "\n";
+  return DumpJson(Json{{"run", run}}) + "\n";
 }
 
 std::string IndividualLine(const Individual& one) {
@@ -48,7 +43,7 @@ std::string IndividualLine(const Individual& one) {
   json.update(
       HeritageJson(one.heritage, *one.genotype.alphabet, one.genotype.states));
   json["genotype"] = Print(one.genotype);
-  std::string text = Dump(json);
+  std::string text = DumpJson(json);
   text.pop_back();  // the closing brace: the seasons are still to come
   std::string seasons;
   for (const SeasonResult& season : one.evaluation.seasons) {
@@ -66,7 +61,7 @@ std::string GenerationLine(const GenerationRecord& record) {
   json["pool"] = record.pool;
   json["counts"] = record.counts;
   json["survivors"] = record.survivors;
-  return Dump(json) + "\n";
+  return DumpJson(json) + "\n";
 }
 
 Expected<Health, Failure> HealthOf(const std::string& run) {

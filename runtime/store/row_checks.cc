@@ -13,15 +13,6 @@
 
 namespace plsc {
 
-namespace {
-
-std::int64_t Single(Database& database, const std::string& sql) {
-  Statement statement(database, sql);
-  return statement.With().Next() ? statement.TakeInteger() : 0;
-}
-
-}  // namespace
-
 IdSpan IdsBornIn(const Experiment& experiment, int generation) {
   if (generation == 0) return {1, experiment.population};
   const int first =
@@ -124,8 +115,8 @@ MaybeFailure RowChecks::Completed(const Experiment& experiment) {
 
 MaybeFailure RowChecks::Unborn(const Experiment& experiment, int id) {
   if (MaybeFailure failure = Completed(experiment)) return failure;
-  const int completed =
-      static_cast<int>(Single(database_, "SELECT count(*) FROM generation"));
+  const int completed = static_cast<int>(
+      SingleInteger(database_, "SELECT count(*) FROM generation"));
   const int next = completed < experiment.generations ? completed : -1;
   const int last =
       completed > 0 ? IdsBornIn(experiment, completed - 1).last : 0;
@@ -135,15 +126,16 @@ MaybeFailure RowChecks::Unborn(const Experiment& experiment, int id) {
   const bool is_of_next = next >= 0 && id >= born.first && id <= born.last;
   if (is_of_completed ||
       (is_of_next &&
-       Single(database_, "SELECT ifnull(max(id), 0) FROM individual") > last))
+       SingleInteger(database_, "SELECT ifnull(max(id), 0) FROM individual") >
+           last))
     return Wrong(fmt::format("robot {} is missing", id));
   return is_of_next ? Pages("individual") : database_.TakeFailure();
 }
 
 MaybeFailure RowChecks::Unevaluated(const Experiment& experiment, int id) {
   if (MaybeFailure failure = Completed(experiment)) return failure;
-  const int completed =
-      static_cast<int>(Single(database_, "SELECT count(*) FROM generation"));
+  const int completed = static_cast<int>(
+      SingleInteger(database_, "SELECT count(*) FROM generation"));
   if (completed > 0 && id <= IdsBornIn(experiment, completed - 1).last)
     return Wrong(fmt::format("robot {} lacks an evaluation", id));
   return Pages("evaluation");

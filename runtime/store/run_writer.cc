@@ -104,7 +104,8 @@ bool HasPhenotype(const SeasonEvidence& evidence) {
 }
 
 /// Whether all that is stored with the phenotype and the simulation is what
-/// the result has.
+/// the result has. A result that says more could not be stored: readers take
+/// what it measured from those rows, and it would come back as another.
 bool Explains(const SeasonEvidence& evidence, const SeasonResult& result) {
   Simulated simulated;
   if (HasSimulation(result, evidence)) simulated = evidence.simulated;
@@ -123,6 +124,8 @@ std::optional<std::string> HexOf(const Key& key, bool is_there) {
   return Hex(key);
 }
 
+// Finds a rule by an index of numbers instead of texts; the text is compared as
+// well, so that equal hashes cost time and no rule.
 std::int64_t HashOf(const std::string& text) {
   return static_cast<std::int64_t>(KeyOf(text).low);
 }
@@ -295,6 +298,7 @@ void RunWriter::AddPhenotype(const SeasonResult& result,
     find_phenotype_.Run();
     return;
   }
+  // The body may be there with another brain, and then nothing is inserted.
   const std::string body = Hex(KeyOf(evidence.body));
   const std::string packed_body = Pack(evidence.body);
   body_.With(body, packed_body);
@@ -336,6 +340,8 @@ void RunWriter::AddSimulation(const SeasonEvidence& evidence) {
 // All of the pool, not only who survived: how selection went can be seen later.
 MaybeFailure RunWriter::Completed(const GenerationRecord& record) {
   Transaction transaction(database_);
+  // The order of survivors is part of what a run goes on from: tournaments draw
+  // places in it.
   std::map<int, std::int64_t> ranks;
   for (const int id : record.survivors)
     ranks.emplace(id, static_cast<std::int64_t>(ranks.size()));

@@ -208,7 +208,7 @@ std::optional<Simulated> SharedCache::TakeEntry(const std::string& key) {
     return std::nullopt;
   const auto bytes = FromHex(value);
   if (!bytes) return std::nullopt;
-  auto simulated = Unpack(*bytes);
+  auto simulated = UnpackSimulated(*bytes);
   if (!simulated || simulated->size() != 1) return std::nullopt;
   return std::move(simulated->front());
 }
@@ -234,7 +234,7 @@ std::optional<Simulated> SharedCache::Find(const Key& key) {
 MaybeFailure SharedCache::Add(const Key& key, const Simulated& simulated) {
   if (gone_) return std::nullopt;
   const std::string digits = Hex(key);
-  const std::string value = ToHex(Pack({simulated}));
+  const std::string value = ToHex(PackSimulated({simulated}));
   statements_->add
       .With(digits, engine_id_, value, ChecksumOf(digits, engine_, value))
       .Run();

@@ -33,11 +33,6 @@ namespace plsc {
 
 namespace {
 
-std::int64_t Single(Database& database, const std::string& sql) {
-  Statement statement(database, sql);
-  return statement.With().Next() ? statement.TakeInteger() : 0;
-}
-
 std::string Damaged(const Database& database, const std::string& what) {
   return fmt::format("'{}' is damaged: {}", database.path(), what);
 }
@@ -115,8 +110,8 @@ MaybeFailure Examination::CheckRun() {
   if (!experiment) return Wrong("what the run is cannot be trusted");
   run.Run();
   experiment_ = std::move(*experiment);
-  completed_ =
-      static_cast<int>(Single(database_, "SELECT count(*) FROM generation"));
+  completed_ = static_cast<int>(
+      SingleInteger(database_, "SELECT count(*) FROM generation"));
   return database_.TakeFailure();
 }
 
@@ -136,7 +131,7 @@ void Examination::CheckGeneration(int number) {
   if (!is_complete) {
     // All of them or nobody; and nobody beyond.
     const std::int64_t last =
-        Single(database_, "SELECT ifnull(max(id), 0) FROM individual");
+        SingleInteger(database_, "SELECT ifnull(max(id), 0) FROM individual");
     if (last == ids.first - 1) {
       Note(database_.TakeFailure());
       return;
@@ -170,8 +165,9 @@ Health Examination::Take() {
 }  // namespace
 
 MaybeFailure CheckIdentity(Database& database) {
-  const std::int64_t application = Single(database, "PRAGMA application_id");
-  const std::int64_t version = Single(database, "PRAGMA user_version");
+  const std::int64_t application =
+      SingleInteger(database, "PRAGMA application_id");
+  const std::int64_t version = SingleInteger(database, "PRAGMA user_version");
   if (database.has_failed()) return database.TakeFailure();
   if (application != kApplicationId)
     return fmt::format("'{}' is no run of plsc, but another program's file",

@@ -16,6 +16,7 @@
 #include "runtime/cli/robots/robot_setting.h"
 #include "runtime/cli/robots/robot_source.h"
 #include "runtime/develop/develop.h"
+#include "runtime/exports/robot_model.h"
 #include "sim/overlap.h"
 
 namespace plsc::cli {

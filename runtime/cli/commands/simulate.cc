@@ -13,7 +13,7 @@
 #include "runtime/cli/robots/recorded_life.h"
 #include "runtime/cli/robots/robot_source.h"
 #include "runtime/cli/running/interrupt.h"
-#include "runtime/life/evaluation.h"
+#include "runtime/life/life.h"
 #include "runtime/life/season_json.h"
 #include "runtime/pictures/path_svg.h"
 #include "runtime/recording/recording_json.h"

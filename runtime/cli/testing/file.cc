@@ -76,11 +76,12 @@ Chosen Choose(const Program& program, const std::string& text) {
 }
 
 std::string TooLong(const Genotype& genotype) {
-  return RenderWithoutLine({Code::kTooLongString,
-                     {},
-                     fmt::format("development would produce more than {} "
-                                 "symbols",
-                                 kMaxStringLength)}) +
+  return RenderWithoutLine(
+             {Code::kTooLongString,
+              {},
+              fmt::format("development would produce more than {} "
+                          "symbols",
+                          kMaxStringLength)}) +
          fmt::format(
              "  = help: lower 'iterations' (now {}), or let rules replace "
              "themselves by fewer modules\n",

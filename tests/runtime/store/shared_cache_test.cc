@@ -152,16 +152,16 @@ void UseDamaged(const std::string& path) {
   SharedCache cache;
   if (cache.Open(path, kEngine)) return;  // refused with a reason
   for (int i = 0; i < kEntries; ++i) {
-    const std::string added = Pack({Numbered(i)});
+    const std::string added = PackSimulated({Numbered(i)});
     const auto found = cache.Find(KeyOfNumber(i));
     if (found) {
-      CHECK(Pack({*found}) == added);
+      CHECK(PackSimulated({*found}) == added);
       continue;
     }
     // As a run does with what it has simulated then.
     CHECK_FALSE(cache.Add(KeyOfNumber(i), Numbered(i)));
     const auto again = cache.Find(KeyOfNumber(i));
-    if (again) CHECK(Pack({*again}) == added);
+    if (again) CHECK(PackSimulated({*again}) == added);
   }
 }
 
@@ -208,7 +208,8 @@ TEST_CASE("A damaged entry is dropped, told and simulated anew",
   CHECK(*cache.warning() == "an entry of the cache '" + scratch.path() +
                                 "' was damaged, dropped and simulated anew");
   CHECK_FALSE(cache.Add(KeyOfNumber(3), Numbered(3)));
-  CHECK(Pack({cache.Find(KeyOfNumber(3)).value()}) == Pack({Numbered(3)}));
+  CHECK(PackSimulated({cache.Find(KeyOfNumber(3)).value()}) ==
+        PackSimulated({Numbered(3)}));
 }
 
 TEST_CASE("An entry under another's key, or another program's, is no entry",
@@ -271,7 +272,7 @@ std::string ResultsOf(SimulationCache* cache) {
   std::string text;
   for (const auto& evidence : recorder.evidence)
     for (const SeasonEvidence& season : evidence)
-      text += Hex(season.simulation) + Pack({season.simulated});
+      text += Hex(season.simulation) + PackSimulated({season.simulated});
   return text;
 }
 
