@@ -88,7 +88,7 @@ Measures AllMeasures() {
   return all;
 }
 
-Loaded<Measures> ChooseMeasures(std::string_view text) {
+Expected<Measures, Failure> ChooseMeasures(std::string_view text) {
   if (text == "paper") return PaperMeasures();
   const Measures all = AllMeasures();
   if (text == "all") return all;
@@ -101,7 +101,7 @@ Loaded<Measures> ChooseMeasures(std::string_view text) {
           return measure.id == name || Folded(measure.title) == name;
         });
     if (found == all.end())
-      return Loaded<Measures>::Failed(fmt::format(
+      return Failure(fmt::format(
           "unknown measure '{}'; there are paper, all, or any of speed, "
           "balance, size, {}",
           name, fmt::join(names, ", ")));

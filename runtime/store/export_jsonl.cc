@@ -64,41 +64,38 @@ std::string GenerationLine(const GenerationRecord& record) {
   return DumpJson(json) + "\n";
 }
 
-Loaded<Health> HealthOf(const std::string& run) {
+Expected<Health, Failure> HealthOf(const std::string& run) {
   Database database;
-  if (auto failure = database.Open(run, Database::Mode::kRead))
-    return Loaded<Health>::Failed(*failure);
+  if (auto failure = database.Open(run, Database::Mode::kRead)) return *failure;
   const Transaction instant(database);
   Health health = Examine(database);
-  if (auto failure = database.TakeFailure())
-    return Loaded<Health>::Failed(*failure);
+  if (auto failure = database.TakeFailure()) return *failure;
   return health;
 }
 
 }  // namespace
 
-std::optional<std::string> WriteJsonl(const std::string& run,
-                                      const Sink& sink) {
+MaybeFailure WriteJsonl(const std::string& run, const Sink& sink) {
   RunStore store;
   if (auto failure = store.OpenForReading(run)) return failure;
-  const Loaded<Health> health = HealthOf(run);
-  if (!health) return health.failure();
+  const Expected<Health, Failure> health = HealthOf(run);
+  if (!health) return health.error();
   if (auto failure = sink(RunLine(store))) return failure;
   // What can be read of a damaged run is written; the rest is told at the end.
-  std::optional<std::string> damage = health->problem;
+  MaybeFailure damage = health->problem;
   for (const int id : health->births) {
     if (!health->evaluations.contains(id)) continue;
-    const Loaded<Individual> one = store.Find(id);
+    const Expected<Individual, Failure> one = store.Find(id);
     if (!one) {
-      if (!damage) damage = one.failure();
+      if (!damage) damage = one.error();
       continue;
     }
     if (auto failure = sink(IndividualLine(*one))) return failure;
   }
   for (const int number : health->generations) {
-    const Loaded<GenerationRecord> record = store.Generation(number);
+    const Expected<GenerationRecord, Failure> record = store.Generation(number);
     if (!record) {
-      if (!damage) damage = record.failure();
+      if (!damage) damage = record.error();
       continue;
     }
     if (auto failure = sink(GenerationLine(*record))) return failure;

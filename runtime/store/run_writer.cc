@@ -190,8 +190,8 @@ RunWriter::RunWriter(Database& database, RunReader& reader,
       member_(database, Insert("member", {"generation", "individual", "place",
                                           "count", "survivor"})) {}
 
-RunWriter::Failure RunWriter::Births(const std::vector<Individual>& born,
-                                     const std::function<bool()>& should_stop) {
+MaybeFailure RunWriter::Births(const std::vector<Individual>& born,
+                               const std::function<bool()>& should_stop) {
   Transaction transaction(database_);
   for (const Individual& one : born) {
     if (should_stop && should_stop()) return std::nullopt;
@@ -249,8 +249,8 @@ void RunWriter::AddIndividual(const Individual& one) {
   sum_individual_.With(checksums_.OfIndividual(one.id), one.id).Run();
 }
 
-RunWriter::Failure RunWriter::Evaluated(
-    const Individual& one, const std::vector<SeasonEvidence>& evidence) {
+MaybeFailure RunWriter::Evaluated(const Individual& one,
+                                  const std::vector<SeasonEvidence>& evidence) {
   Transaction transaction(database_);
   // A resumed run tries again what a worker died of; only such evaluations may
   // be replaced.
@@ -338,7 +338,7 @@ void RunWriter::AddSimulation(const SeasonEvidence& evidence) {
 }
 
 // All of the pool, not only who survived: how selection went can be seen later.
-RunWriter::Failure RunWriter::Completed(const GenerationRecord& record) {
+MaybeFailure RunWriter::Completed(const GenerationRecord& record) {
   Transaction transaction(database_);
   // The order of survivors is part of what a run goes on from: tournaments draw
   // places in it.

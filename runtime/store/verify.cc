@@ -33,8 +33,6 @@ namespace plsc {
 
 namespace {
 
-using Failure = std::optional<std::string>;
-
 std::string Damaged(const Database& database, const std::string& what) {
   return fmt::format("'{}' is damaged: {}", database.path(), what);
 }
@@ -56,7 +54,7 @@ bool HasSchema(Database& database) {
 
 /// The first complaint of a PRAGMA that says "ok", or nothing, where all is
 /// well.
-Failure Complaint(Database& database, const char* sql) {
+MaybeFailure Complaint(Database& database, const char* sql) {
   Statement statement(database, sql);
   if (!statement.With().Next()) return database.TakeFailure();
   const std::string said = statement.TakeText();
@@ -64,8 +62,8 @@ Failure Complaint(Database& database, const char* sql) {
   return Damaged(database, said.substr(0, said.find('\n')));
 }
 
-Failure CheckStructure(Database& database) {
-  if (Failure failure = Complaint(database, "PRAGMA integrity_check(1)"))
+MaybeFailure CheckStructure(Database& database) {
+  if (MaybeFailure failure = Complaint(database, "PRAGMA integrity_check(1)"))
     return failure;
   Statement keys(database, "PRAGMA foreign_key_check");
   if (keys.With().Next())
@@ -84,15 +82,15 @@ class Examination {
   Health Take();
 
  private:
-  Failure CheckRun();
+  MaybeFailure CheckRun();
   void CheckGeneration(int number);
   void CheckIndividual(int id, int generation, bool is_complete);
-  Failure Wrong(const std::string& what) {
+  MaybeFailure Wrong(const std::string& what) {
     if (database_.has_failed()) return database_.TakeFailure();
     return Damaged(database_, what);
   }
   /// Whether there is nothing to be noted.
-  bool Note(const Failure& failure) {
+  bool Note(const MaybeFailure& failure) {
     if (!health_.problem) health_.problem = failure;
     return !failure;
   }
@@ -104,7 +102,7 @@ class Examination {
   Health health_;
 };
 
-Failure Examination::CheckRun() {
+MaybeFailure Examination::CheckRun() {
   Statement run(database_, "SELECT experiment FROM run");
   if (!run.With().Next()) return Wrong("it does not say what the run is");
   Result<Experiment> experiment =
@@ -120,7 +118,7 @@ Failure Examination::CheckRun() {
 void Examination::CheckIndividual(int id, int generation, bool is_complete) {
   if (Note(checks_.Birth(id, generation))) health_.births.insert(id);
   int seasons = 0;
-  Failure failure = checks_.Evaluation(id, seasons);
+  MaybeFailure failure = checks_.Evaluation(id, seasons);
   const auto all = static_cast<int>(experiment_.scenario.seasons.size());
   if (!failure && seasons != all && (is_complete || seasons != 0))
     failure = Wrong(fmt::format("robot {} lacks an evaluation", id));
@@ -151,8 +149,8 @@ Health Examination::Take() {
   if (!Note(CheckIdentity(database_)) || !Note(checks_.Run())) return health_;
   health_.is_run_whole = true;
   if (!Note(CheckRun())) return health_;
-  const Failure missing = checks_.Completed(experiment_);
-  const Failure broken = missing ? missing : CheckStructure(database_);
+  const MaybeFailure missing = checks_.Completed(experiment_);
+  const MaybeFailure broken = missing ? missing : CheckStructure(database_);
   // The last one is under way, if there is one to be made.
   const int last = std::min(completed_ + 1, experiment_.generations);
   for (int g = 0; g < last; ++g) {
@@ -166,7 +164,7 @@ Health Examination::Take() {
 
 }  // namespace
 
-Failure CheckIdentity(Database& database) {
+MaybeFailure CheckIdentity(Database& database) {
   const std::int64_t application =
       SingleInteger(database, "PRAGMA application_id");
   const std::int64_t version = SingleInteger(database, "PRAGMA user_version");
@@ -195,22 +193,23 @@ Health Examine(Database& database) {
 
 Health Examine(const std::string& path) {
   Database database;
-  if (Failure failure = database.Open(path, Database::Mode::kRead)) {
+  if (MaybeFailure failure = database.Open(path, Database::Mode::kRead)) {
     Health health;
     health.problem = std::move(failure);
     return health;
   }
   Health health = Examine(database);
-  if (health.problem) {
-    *health.problem += health.whole_generations == 0
-                           ? "; no generation of it is whole"
-                           : fmt::format("; generations 0 to {} are whole",
-                                         health.whole_generations - 1);
-    *health.problem +=
-        ", and 'plsc export' prints what can still be read; "
-        "'plsc evolve --salvage " +
-        path + " -o NEW' makes the run again with the simulations that are";
-  }
+  if (health.problem)
+    health.problem = fmt::format(
+        "{}; {}, and 'plsc export' prints what can still be read; 'plsc evolve "
+        "--salvage {} -o NEW' makes the run again with the simulations that "
+        "are",
+        health.problem->text,
+        health.whole_generations == 0
+            ? "no generation of it is whole"
+            : fmt::format("generations 0 to {} are whole",
+                          health.whole_generations - 1),
+        path);
   return health;
 }
 

@@ -208,8 +208,8 @@ Exit ExportRobots(const ExportCommand& command, Io& io) {
       FindRobot({command.file, command.individual, command.environments,
                  command.allow_range, command.scenario},
                 io);
-  if (const Exit* exit = std::get_if<Exit>(&found)) return *exit;
-  const auto models = GrowModels(command, std::get<RobotFound>(found), io);
+  if (!found) return found.error();
+  const auto models = GrowModels(command, *found, io);
   if (!models) return Exit::kBadInput;
   if (asks_folder) return FillFolder(command, *models, io);
   const bool names_file =

@@ -93,15 +93,15 @@ bool LoadRobots(const ViewInput& input, std::vector<Viewed>& viewed, Io& io) {
     Complain(*failure, io);
     return false;
   }
-  const Loaded<std::vector<int>> ids = IdsOf(store, input.robots);
+  const Expected<std::vector<int>, Failure> ids = IdsOf(store, input.robots);
   if (!ids) {
-    Complain(ids.failure(), io);
+    Complain(ids.error(), io);
     return false;
   }
   for (const int id : *ids) {
-    Loaded<Individual> one = store.Find(id);
+    Expected<Individual, Failure> one = store.Find(id);
     if (!one) {
-      Complain(one.failure(), io);
+      Complain(one.error(), io);
       return false;
     }
     const std::string source =

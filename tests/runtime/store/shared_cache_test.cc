@@ -112,7 +112,7 @@ TEST_CASE("A cache that cannot be written any more only warns",
   CHECK_FALSE(cache.Add({3, 4}, Example()));
   setrlimit(RLIMIT_FSIZE, &before);
   REQUIRE(cache.warning());
-  CHECK(cache.warning()->find("not used any more") != std::string::npos);
+  CHECK(cache.warning()->text.find("not used any more") != std::string::npos);
   CHECK_FALSE(cache.Find({1, 2}));
 }
 
@@ -250,7 +250,8 @@ TEST_CASE("A cache without checksums is refused with what to do",
       REQUIRE_FALSE(database.TakeFailure());
     }
     const std::string before = test::ReadBytes(scratch.path());
-    const std::string failure = SharedCache().Open(scratch.path()).value_or("");
+    const std::string failure =
+        SharedCache().Open(scratch.path()).value_or("").text;
     CHECK(test::ReadBytes(scratch.path()) == before);
     return failure;
   };
