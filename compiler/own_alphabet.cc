@@ -14,9 +14,9 @@ namespace plsc {
 
 namespace {
 
-class Declarer {
+class AlphabetDeclarer {
  public:
-  explicit Declarer(const ast::File& file) : file_(file) {}
+  explicit AlphabetDeclarer(const ast::File& file) : file_(file) {}
 
   OwnAlphabet Declare(const ast::Alphabet& declared) {
     std::vector<SymbolInfo> symbols;
@@ -115,7 +115,7 @@ class Declarer {
 
 OwnAlphabet DeclareAlphabet(const ast::File& file,
                             const ast::Alphabet& declared) {
-  return Declarer(file).Declare(declared);
+  return AlphabetDeclarer(file).Declare(declared);
 }
 
 Sampling DefaultSampling(const Parameter& parameter) {

@@ -79,6 +79,7 @@ class Resolver {
       resolved->comparison = static_cast<Comparison>(term.comparison);
       if (!IsOrdered(resolved->state) && term.comparison != kEqual &&
           term.comparison != kNotEqual) {
+        // Nothing behind could tell in which environments it holds.
         resolved.reset();
         if (reporter_.is_full()) continue;
         reporter_
@@ -143,6 +144,8 @@ class Resolver {
         reporter_.Report(Code::kUnknownSymbol, name,
                          fmt::format("unknown symbol '{}' in alphabet '{}'",
                                      text, alphabet->name()));
+    // Who writes as the authors' program does is told its name here, not the
+    // one that happens to be spelt alike.
     const std::string_view foreign = alphabet->is_built_in()
                                          ? PlasticodingNameFor(text)
                                          : std::string_view();

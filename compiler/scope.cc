@@ -144,7 +144,7 @@ class Declarer {
     }
   }
 
-  // A new name among `known`; else says where it was declared first.
+  // Whether no state has the name yet; else says where it was declared first.
   bool IsNewState(Span name) {
     if (scope_.header.states.size() == kMaxStates) {
       reporter_.Report(

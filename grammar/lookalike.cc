@@ -95,7 +95,7 @@ constexpr Row kRows[] = {
 constexpr char32_t kFirstFullwidth = 0xFF01;
 constexpr char32_t kLastFullwidth = 0xFF5E;
 
-std::string Code(char32_t code) {
+std::string CodePointName(char32_t code) {
   return fmt::format("U+{:04X}", static_cast<std::uint32_t>(code));
 }
 
@@ -109,7 +109,7 @@ std::optional<Lookalike> LookalikeAt(std::string_view text) {
       std::begin(kRows), std::end(kRows), found.code,
       [](char32_t code, const Row& one) { return code <= one.last; });
   if (row == std::end(kRows) || found.code < row->first) return std::nullopt;
-  Lookalike lookalike{found.bytes, Code(found.code), row->name,
+  Lookalike lookalike{found.bytes, CodePointName(found.code), row->name,
                       std::string(row->intended)};
   if (found.code >= kFirstFullwidth && found.code <= kLastFullwidth)
     lookalike.intended = static_cast<char>(found.code - kFirstFullwidth + U'!');
@@ -117,7 +117,7 @@ std::optional<Lookalike> LookalikeAt(std::string_view text) {
 }
 
 std::string CodePointText(std::string_view text) {
-  return Code(DecodeCharacter(text, 0).code);
+  return CodePointName(DecodeCharacter(text, 0).code);
 }
 
 }  // namespace plsc

@@ -12,6 +12,7 @@
 #include <cstdint>
 
 #include "sim/assembly.h"
+#include "sim/placement.h"
 #include "sim/schedule.h"
 #include "sim/world.h"
 

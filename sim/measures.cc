@@ -9,6 +9,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "sim/trajectory.h"
+
 namespace plsc {
 namespace {
 

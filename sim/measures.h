@@ -4,17 +4,11 @@
 // as in the authors' program, measures.py, without its errors in durations
 // and windows). Computed from samples; knows no body but its size.
 
-#include <cstdint>
-
-#include "sim/trajectory.h"
+#include "sim/options.h"
 
 namespace plsc {
 
-/// Whose way the speeds tell.
-enum class MeasuredPoint : std::uint8_t {
-  kMassCentre,  ///< of the whole robot (paper, "Behavioral descriptors")
-  kCore,  ///< the core's centre (authors' program, WorldController.cpp:153)
-};
+struct Trajectory;
 
 /// All zero, with is_valid false, for a trajectory that was not completed.
 /// Speeds are between the first and the last sample; 50 m/s is the limit of

@@ -85,6 +85,23 @@ struct ServoOptions {
   friend bool operator==(const ServoOptions&, const ServoOptions&) = default;
 };
 
+/// Of what a robot's inertial measurement unit tells (sim/imu).
+struct ImuOptions {
+  /// rad; leaning by more is inclined. Midway between the paper's grounds, 0
+  /// and 5 degrees. Up to
+  /// 10 degrees a core settles to within 1.5 degrees of its ground.
+  double threshold = 0.04363323129985824;
+  double settling = 1;  ///< s, from being put down to the reading
+
+  friend bool operator==(const ImuOptions&, const ImuOptions&) = default;
+};
+
+/// Whose way the speeds tell (sim/measures).
+enum class MeasuredPoint : std::uint8_t {
+  kMassCentre,  ///< of the whole robot (paper, "Behavioral descriptors")
+  kCore,  ///< the core's centre (authors' program, WorldController.cpp:153)
+};
+
 struct SimulationOptions {
   double duration = 50;          ///< s
   double sample_interval = 0.2;  ///< s, of the trajectory

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "sim/schedule.h"
+#include "sim/world.h"
 
 namespace plsc {
 namespace {

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "sim/world.h"
+
 namespace plsc {
 
 Eigen::Vector3d RollPitchYaw(const Eigen::Matrix3d& axes) {

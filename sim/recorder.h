@@ -5,9 +5,10 @@
 #include <Eigen/Core>
 
 #include "sim/trajectory.h"
-#include "sim/world.h"
 
 namespace plsc {
+
+class World;
 
 /// Rotations about the fixed x, y, z axes, in this order, that give `axes`;
 /// |pitch| <= pi/2.

@@ -8,9 +8,10 @@
 
 #include "sim/options.h"
 #include "sim/phenotype.h"
-#include "sim/world.h"
 
 namespace plsc {
+
+class World;
 
 class Watcher {
  public:

@@ -6,7 +6,7 @@ namespace plsc {
 
 namespace {
 
-std::string State(const std::string& text, const std::string& label) {
+std::string SideText(const std::string& text, const std::string& label) {
   return text.empty() ? "deleted in " + label
                       : fmt::format("'{}' in {}", text, label);
 }
@@ -43,8 +43,8 @@ std::string Sentence(const ItemClash& clash, const MergeLabels& labels) {
     return "changed by both";
   const std::string was =
       clash.base.empty() ? "" : fmt::format("'{}' is ", clash.base);
-  return was + State(clash.ours, labels.ours) + " and " +
-         State(clash.theirs, labels.theirs);
+  return was + SideText(clash.ours, labels.ours) + " and " +
+         SideText(clash.theirs, labels.theirs);
 }
 
 }  // namespace

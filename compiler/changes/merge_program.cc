@@ -39,15 +39,15 @@ bool SaysTheSame(const WrittenSection& a, const WrittenSection& b) {
                     });
 }
 
-std::string TextOf(const WrittenItem* item) {
+std::string WholeText(const WrittenItem* item) {
   return item == nullptr ? "" : CoreText(*item) + item->after;
 }
 
-std::string TextOf(const WrittenSection* section) {
+std::string WholeText(const WrittenSection* section) {
   std::string text;
   if (section == nullptr) return text;
   for (const WrittenItem* item : section->items)
-    text += (text.empty() ? "" : item->before) + TextOf(item);
+    text += (text.empty() ? "" : item->before) + WholeText(item);
   return text;
 }
 
@@ -143,8 +143,8 @@ class FileMerger {
     clash.kind = ClashKind::kDeletedAndChanged;
     (section.ours != nullptr ? clash.ours : clash.theirs) = "changed";
     AddConflict(left.key, clash);
-    WriteVersions(
-        {TextOf(section.base), TextOf(section.ours), TextOf(section.theirs)});
+    WriteVersions({WholeText(section.base), WholeText(section.ours),
+                   WholeText(section.theirs)});
   }
 
   void Write(const MatchedItem& item) {
@@ -180,8 +180,8 @@ class FileMerger {
         versions.ours != nullptr ? *versions.ours : *versions.theirs;
     joiner_.Append(one.before);
     for (const ItemClash& clash : clashes) AddConflict(item.name, clash);
-    WriteVersions({TextOf(versions.base), TextOf(versions.ours),
-                   TextOf(versions.theirs)});
+    WriteVersions({WholeText(versions.base), WholeText(versions.ours),
+                   WholeText(versions.theirs)});
   }
 
   void AddConflict(const std::string& name, const ItemClash& clash) {

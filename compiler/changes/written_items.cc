@@ -151,7 +151,7 @@ std::string KeyOf(const ast::File& file, const ast::Item& item) {
 }
 
 // Without `before` and `after`.
-WrittenItem Cut(const ast::File& file, const ast::Item& item) {
+WrittenItem CutItem(const ast::File& file, const ast::Item& item) {
   WrittenItem cut;
   cut.kind = item.kind;
   cut.key = KeyOf(file, item);
@@ -208,7 +208,7 @@ WrittenFile CutIntoItems(const ast::File& file) {
     written.items.push_back(std::move(item));
   };
   if (file.version.end > 0) add(Version(file));
-  for (const ast::Item& item : file.items) add(Cut(file, item));
+  for (const ast::Item& item : file.items) add(CutItem(file, item));
   std::string_view rest = file.text.substr(at);
   if (!written.items.empty()) {
     written.items.back().after = CommentOfLine(rest);

@@ -140,8 +140,9 @@ GenotypeStats CountWritten(const Genotype& genotype) {
 
 }  // namespace
 
-StatsResult StatsOf(const Genotype& genotype,
-                    const std::vector<NamedEnvironment>& environments) {
+Expected<GenotypeStats, OutgrownIn> StatsOf(
+    const Genotype& genotype,
+    const std::vector<NamedEnvironment>& environments) {
   GenotypeStats stats = CountWritten(genotype);
   ExpressedSymbols expressed = NoneOf(genotype);
   std::vector<bool> is_active(genotype.rules.size(), false);
@@ -151,7 +152,7 @@ StatsResult StatsOf(const Genotype& genotype,
   for (std::size_t i = 0; i < environments.size(); ++i) {
     const auto history =
         DevelopWithHistory(genotype, environments[i].environment);
-    if (!history) return {std::nullopt, i};
+    if (!history) return OutgrownIn{i};
     const EnvironmentCount count(genotype, *history);
     EnvironmentStats one = count.stats();
     one.name = environments[i].name;
@@ -170,7 +171,7 @@ StatsResult StatsOf(const Genotype& genotype,
   stats.active = CountSymbols(is_active);
   stats.bodies = bodies.size();
   stats.brains = brains.size();
-  return {std::move(stats), 0};
+  return stats;
 }
 
 }  // namespace plsc

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "compiler/program.h"
+#include "grammar/expected.h"
 
 namespace plsc {
 
@@ -63,13 +64,13 @@ struct GenotypeStats {
   std::size_t brains = 0;
 };
 
-/// `stats`, or the environment (an index) in which the string, or its history,
-/// outgrows its limit.
-struct StatsResult {
-  std::optional<GenotypeStats> stats;
-  std::size_t outgrown_in = 0;
+/// The environment (an index) in which the string, or its history, outgrows its
+/// limit.
+struct OutgrownIn {
+  std::size_t environment = 0;
 };
-StatsResult StatsOf(const Genotype& genotype,
-                    const std::vector<NamedEnvironment>& environments);
+Expected<GenotypeStats, OutgrownIn> StatsOf(
+    const Genotype& genotype,
+    const std::vector<NamedEnvironment>& environments);
 
 }  // namespace plsc

@@ -1,3 +1,14 @@
+// Warnings in three layers: about clauses alone (compiler/lint), about how long
+// strings grow, about what is expressed. A layer is asked only where the one
+// before leaves it something to say: no environment can stand for the others
+// where clauses tell apart too many, and what is too long to develop expresses
+// nothing.
+//
+// Environments are not gone through one by one but by regimes, whose
+// environments all have the same active rules (develop/regimes), and a length
+// is computed without the string (develop/growth): a genotype that would grow
+// beyond any memory is warned of at once.
+
 #include "runtime/advice/lint.h"
 
 #include <fmt/format.h>

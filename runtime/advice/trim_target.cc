@@ -73,10 +73,9 @@ std::vector<Regime> Counted(std::vector<Regime> regimes,
 }
 
 std::string WhereOf(const TrimTarget& target, const Regime& regime) {
-  const std::string where =
-      target.space.Describe(regime.environment, target.current.states);
-  return where == "always" ? "every environment"
-                           : "an environment with " + where;
+  if (*target.space.size() == 1) return "every environment";
+  return "an environment with " +
+         target.space.Describe(regime.environment, target.current.states);
 }
 
 std::optional<Diagnostic> DevelopAll(TrimTarget& target) {

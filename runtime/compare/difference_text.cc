@@ -117,8 +117,9 @@ std::string DifferenceLine(const Difference& difference,
 std::string NameOf(const SharedEnvironment& where) {
   if (where.names.empty()) return where.text;
   const std::string names = fmt::format("{}", fmt::join(where.names, ", "));
-  return where.text == "any" ? names
-                             : fmt::format("{} ({})", names, where.text);
+  const bool is_sensed =
+      !where.before.values.empty() || !where.after.values.empty();
+  return is_sensed ? fmt::format("{} ({})", names, where.text) : names;
 }
 
 std::string NamesOf(const DifferenceGroup& group) {

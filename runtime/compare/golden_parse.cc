@@ -17,8 +17,6 @@ namespace plsc {
 
 namespace {
 
-using Json = nlohmann::json;
-
 constexpr std::int64_t kMaxInt = std::numeric_limits<int>::max();
 
 template <std::size_t N>
@@ -92,7 +90,7 @@ GoldenValues ReadValues(JsonReader& reader, const JsonValue& object,
                         std::string_view key,
                         const std::vector<NamedValue>& names) {
   GoldenValues values;
-  const Json* member = reader.Member(object, key);
+  const nlohmann::json* member = reader.Member(object, key);
   if (member == nullptr) return values;
   const JsonValue value{*member, &object, std::string(key)};
   if (!member->is_object()) {
@@ -233,7 +231,7 @@ Golden ReadGolden(JsonReader& reader, const JsonValue& root) {
 }  // namespace
 
 Result<Golden> ParseGolden(const Source& source) {
-  const Result<Json> json = ReadJson(source);
+  const Result<nlohmann::json> json = ReadJson(source);
   if (!json) {
     std::vector<Diagnostic> problems = json.diagnostics();
     if (problems.front().code == Code::kEmptyFile)

@@ -206,8 +206,7 @@ class Run {
     record.best =
         result_.population[BestOf(result_.population, result_.counts)].id;
     for (RunObserver* observer : options_.observers)
-      if (auto failure = observer->OnGeneration(record))
-        return Fail(std::move(*failure));
+      if (auto failure = observer->OnGeneration(record)) return Fail(*failure);
     Summarise(result_.population);
     return true;
   }
@@ -217,7 +216,7 @@ class Run {
     for (RunObserver* observer : options_.observers)
       if (auto failure =
               observer->OnBirths(robots, [this] { return IsStopped(); }))
-        return Fail(std::move(*failure));
+        return Fail(*failure);
     if (IsStopped()) return false;
     if (options_.saved)
       for (Individual& robot : robots)
@@ -245,7 +244,7 @@ class Run {
     robot.evaluation = one.life.evaluation;
     for (RunObserver* observer : options_.observers)
       if (auto failure = observer->OnEvaluated(robot, one.life.evidence))
-        return Fail(std::move(*failure));
+        return Fail(*failure);
     ++result_.evaluations;
     if (result_.population.empty()) summary_.Add(robot.evaluation);
     return true;
@@ -259,9 +258,9 @@ class Run {
     return result_.ending == Ending::kStopped;
   }
 
-  bool Fail(std::string failure) {
+  bool Fail(const Failure& failure) {
     result_.ending = Ending::kFailed;
-    result_.failure = std::move(failure);
+    result_.failure = failure.text;
     return false;
   }
 

@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "grammar/failure.h"
 #include "runtime/evolve/individual.h"
 #include "runtime/evolve/simulation_cache.h"
 #include "runtime/life/life_plan.h"
@@ -52,7 +53,7 @@ class GenerationEvaluator {
   /// Robots still to be evaluated.
   std::size_t outstanding() const { return outstanding_; }
   /// What went wrong, if no more will be evaluated.
-  const std::optional<std::string>& failure() const { return failure_; }
+  const MaybeFailure& failure() const { return failure_; }
   const EvaluationCounts& counts() const { return counts_; }
 
  private:
@@ -92,7 +93,7 @@ class GenerationEvaluator {
   std::map<std::vector<Key>, std::size_t> tickets_;  // by the piece's keys
   std::deque<std::size_t> known_;                    // robots with all seasons
   std::size_t outstanding_ = 0;
-  std::optional<std::string> failure_;
+  MaybeFailure failure_;
   EvaluationCounts counts_;
 };
 

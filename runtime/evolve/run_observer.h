@@ -5,10 +5,10 @@
 // any order; then what became of the generation.
 
 #include <functional>
-#include <optional>
 #include <string>
 #include <vector>
 
+#include "grammar/failure.h"
 #include "runtime/evolve/individual.h"
 #include "runtime/life/life_plan.h"
 
@@ -30,20 +30,18 @@ struct GenerationRecord {
 /// What a function returns is what went wrong, which ends the run; or nothing.
 class RunObserver {
  public:
-  using Failure = std::optional<std::string>;
-
   virtual ~RunObserver() = default;
   /// A generation's newborn in order of id, not evaluated yet. A run that goes
   /// on shows those of the generation that was under way again. When
   /// `should_stop`, if any, says so, which ends the run, it may come back as if
   /// it had never been called.
-  virtual Failure OnBirths(const std::vector<Individual>& born,
-                           const std::function<bool()>& should_stop) = 0;
+  virtual MaybeFailure OnBirths(const std::vector<Individual>& born,
+                                const std::function<bool()>& should_stop) = 0;
   /// Everybody once, in the order in which evaluations end; `evidence` has an
   /// item a season. Not those that were evaluated before the run went on.
-  virtual Failure OnEvaluated(const Individual& one,
-                              const std::vector<SeasonEvidence>& evidence) = 0;
-  virtual Failure OnGeneration(const GenerationRecord& record) = 0;
+  virtual MaybeFailure OnEvaluated(
+      const Individual& one, const std::vector<SeasonEvidence>& evidence) = 0;
+  virtual MaybeFailure OnGeneration(const GenerationRecord& record) = 0;
 };
 
 }  // namespace plsc

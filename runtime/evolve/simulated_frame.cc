@@ -111,7 +111,7 @@ Simulated TakeSeason(Unpacker& bytes) {
 
 }  // namespace
 
-std::string Pack(const std::vector<Simulated>& seasons) {
+std::string PackSimulated(const std::vector<Simulated>& seasons) {
   Packer packer;
   packer.Add(kLayout);
   packer.Add(std::uint64_t{seasons.size()});
@@ -119,7 +119,7 @@ std::string Pack(const std::vector<Simulated>& seasons) {
   return packer.Take();
 }
 
-std::optional<std::vector<Simulated>> Unpack(std::string_view bytes) {
+std::optional<std::vector<Simulated>> UnpackSimulated(std::string_view bytes) {
   Unpacker unpacker(bytes);
   if (unpacker.Word() != kLayout) return std::nullopt;
   const std::uint64_t count = unpacker.Word();

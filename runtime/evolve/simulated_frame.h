@@ -13,8 +13,8 @@
 
 namespace plsc {
 
-std::string Pack(const std::vector<Simulated>& seasons);
+std::string PackSimulated(const std::vector<Simulated>& seasons);
 /// Nothing when the bytes are not a whole one.
-std::optional<std::vector<Simulated>> Unpack(std::string_view bytes);
+std::optional<std::vector<Simulated>> UnpackSimulated(std::string_view bytes);
 
 }  // namespace plsc

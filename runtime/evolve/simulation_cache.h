@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "grammar/failure.h"
 #include "runtime/life/simulated.h"
 #include "runtime/text/key.h"
 
@@ -16,8 +17,7 @@ class SimulationCache {
   virtual ~SimulationCache() = default;
   virtual std::optional<Simulated> Find(const Key& key) = 0;
   /// What went wrong, or nothing. A key that is there already stays as it is.
-  virtual std::optional<std::string> Add(const Key& key,
-                                         const Simulated& simulated) = 0;
+  virtual MaybeFailure Add(const Key& key, const Simulated& simulated) = 0;
 };
 
 }  // namespace plsc

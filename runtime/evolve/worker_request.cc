@@ -85,7 +85,7 @@ Work WorkOf(LifePlanner planner) {
         Compile(Source("<worker>", std::string(rest)));
     // Every genotype prints as text that compiles to an equal one.
     assert(program);
-    return Pack(planner.Simulate(program->genotype, inherited, piece));
+    return PackSimulated(planner.Simulate(program->genotype, inherited, piece));
   };
 }
 
@@ -110,7 +110,8 @@ double HangSeconds(const Experiment& experiment) {
 
 std::vector<Simulated> SimulatedOf(const Reply& reply, std::size_t seasons) {
   if (reply.answer) {
-    std::optional<std::vector<Simulated>> simulated = Unpack(*reply.answer);
+    std::optional<std::vector<Simulated>> simulated =
+        UnpackSimulated(*reply.answer);
     if (simulated && simulated->size() == seasons) return std::move(*simulated);
   }
   Simulated died;

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "runtime/exports/controller_tables.h"
+#include "runtime/exports/robot_model.h"
 #include "runtime/scenario/scenario_physics.h"
 #include "sim/controller.h"
 

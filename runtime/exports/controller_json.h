@@ -7,9 +7,9 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
-#include "runtime/exports/robot_model.h"
-
 namespace plsc {
+
+struct RobotModel;
 
 /// Keys: plsc_controller (version of this layout), robot, environment, joints,
 /// inputs, oscillators, edges, servo, formulas (docs/exports.md).

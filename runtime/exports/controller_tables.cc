@@ -2,6 +2,8 @@
 
 #include <cassert>
 
+#include "runtime/exports/robot_model.h"
+
 namespace plsc {
 
 namespace {

@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "runtime/exports/robot_model.h"
-
 namespace plsc {
+
+struct RobotModel;
 
 struct TableOscillator {
   std::size_t joint = 0;  ///< index into RobotModel::joints

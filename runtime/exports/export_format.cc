@@ -11,6 +11,7 @@
 #include "runtime/exports/exported_ground.h"
 #include "runtime/exports/mjcf.h"
 #include "runtime/exports/robot_json.h"
+#include "runtime/exports/robot_model.h"
 #include "runtime/exports/robot_yaml.h"
 #include "runtime/exports/sdf.h"
 #include "runtime/exports/urdf.h"

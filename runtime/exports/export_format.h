@@ -7,10 +7,11 @@
 #include <string>
 #include <string_view>
 
-#include "runtime/exports/robot_model.h"
 #include "runtime/exports/surroundings.h"
 
 namespace plsc {
+
+struct RobotModel;
 
 enum class ExportFormat : std::uint8_t {
   kMjcf,

@@ -4,6 +4,7 @@
 
 #include "runtime/exports/mjcf_ground.h"
 #include "runtime/exports/number_text.h"
+#include "runtime/exports/robot_model.h"
 #include "runtime/text/xml.h"
 
 namespace plsc {
@@ -18,7 +19,7 @@ constexpr const char* kAloneNotes =
     "\nThe motors are stiff: a world with this robot needs <option "
     "integrator=\"implicit\"/>.";
 
-constexpr const char* kNotes =
+constexpr const char* kMjcfNotes =
     "The control of an actuator is that speed.\n"
     "A touch sensor reads the force on its box, N; plsc takes any as touched.\n"
     "Not in MJCF: the slip of plsc's friction.";
@@ -49,7 +50,7 @@ void AddPose(const Vector3d& position, const Matrix3d& axes,
     attributes.emplace_back("quat", QuaternionText(axes));
 }
 
-XmlElement Inertial(const Link& link, const Vector3d& frame) {
+XmlElement MjcfInertial(const Link& link, const Vector3d& frame) {
   const Matrix3d& i = link.inertia;
   return {"inertial",
           {{"pos", NumbersText(link.centre - frame)},
@@ -87,7 +88,7 @@ XmlElement Hinged(const RobotModel& model, std::size_t hinge);
 void FillBody(const RobotModel& model, std::size_t index, XmlElement& body) {
   const Link& link = model.assembly.links[index];
   const Vector3d frame = FrameOf(model.assembly, index);
-  body.children.push_back(Inertial(link, frame));
+  body.children.push_back(MjcfInertial(link, frame));
   for (const Box& box : link.boxes)
     body.children.push_back(Geom(model, box, frame));
   for (const TouchSensor& sensor : model.touch_sensors)
@@ -244,7 +245,7 @@ std::string Mjcf(const RobotModel& model, Surroundings surroundings) {
   XmlElement root{"mujoco",
                   {{"model", model.name + " in " + model.environment}}};
   auto& parts = root.children;
-  parts.push_back(XmlComment(NotesOn(model) + "\n" + kNotes +
+  parts.push_back(XmlComment(NotesOn(model) + "\n" + kMjcfNotes +
                              (has_floor ? "" : kAloneNotes)));
   XmlElement world{"worldbody"};
   if (has_floor) {

@@ -7,10 +7,11 @@
 
 #include <string>
 
-#include "runtime/exports/robot_model.h"
 #include "runtime/exports/surroundings.h"
 
 namespace plsc {
+
+struct RobotModel;
 
 std::string Mjcf(const RobotModel& model, Surroundings surroundings);
 

@@ -4,6 +4,7 @@
 
 #include "runtime/exports/controller_json.h"
 #include "runtime/exports/exported_ground.h"
+#include "runtime/exports/robot_model.h"
 #include "runtime/recording/recording.h"
 #include "runtime/scenario/scenario_terrain.h"
 #include "sim/ground.h"

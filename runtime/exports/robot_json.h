@@ -5,9 +5,9 @@
 
 #include <string>
 
-#include "runtime/exports/robot_model.h"
-
 namespace plsc {
+
+struct RobotModel;
 
 /// Keys: plsc_robot (version of this layout), name, environment, mass, start,
 /// links, joints, sensors, never_collide, physics, controller.

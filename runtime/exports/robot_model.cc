@@ -11,7 +11,6 @@
 #include <utility>
 
 #include "runtime/exports/exported_ground.h"
-#include "runtime/life/evaluation.h"
 #include "runtime/recording/recording.h"
 #include "runtime/scenario/scenario_physics.h"
 #include "runtime/scenario/scenario_profile.h"

@@ -6,6 +6,7 @@
 #include <cstddef>
 
 #include "grammar/number.h"
+#include "runtime/exports/robot_model.h"
 
 namespace plsc {
 

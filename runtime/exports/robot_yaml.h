@@ -8,9 +8,9 @@
 
 #include <string>
 
-#include "runtime/exports/robot_model.h"
-
 namespace plsc {
+
+struct RobotModel;
 
 std::string RobotYaml(const RobotModel& model);
 

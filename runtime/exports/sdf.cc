@@ -4,6 +4,7 @@
 
 #include "runtime/exports/exported_ground.h"
 #include "runtime/exports/number_text.h"
+#include "runtime/exports/robot_model.h"
 #include "runtime/scenario/scenario_terrain.h"
 #include "runtime/text/xml.h"
 #include "sim/ground.h"
@@ -15,7 +16,7 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-constexpr const char* kNotes =
+constexpr const char* kSdfNotes =
     "Joints take that speed as the topic\n"
     "/model/NAME OF THE MODEL/joint/NAME OF THE JOINT/cmd_vel.";
 
@@ -30,7 +31,7 @@ XmlElement Pose(const Vector3d& position, const Matrix3d& axes) {
                                                     : FixedAngles(axes)));
 }
 
-XmlElement Inertial(const Link& link, const Vector3d& frame) {
+XmlElement SdfInertial(const Link& link, const Vector3d& frame) {
   const Matrix3d& i = link.inertia;
   return {"inertial",
           {},
@@ -105,7 +106,7 @@ XmlElement LinkOf(const RobotModel& model, std::size_t index) {
   XmlElement element{"link",
                      {{"name", model.links[index]}},
                      {Pose(frame, Matrix3d::Identity()),
-                      Inertial(link, frame),
+                      SdfInertial(link, frame),
                       {"velocity_decay",
                        {},
                        {Number("linear", physics.damping),
@@ -172,7 +173,7 @@ std::string NameOf(const RobotModel& model) {
 XmlElement ModelElement(const RobotModel& model) {
   XmlElement element{"model", {{"name", NameOf(model)}}};
   auto& parts = element.children;
-  parts.push_back(XmlComment(NotesOn(model) + "\n" + kNotes));
+  parts.push_back(XmlComment(NotesOn(model) + "\n" + kSdfNotes));
   parts.push_back(Pose(model.start.position, model.start.axes));
   parts.push_back(XmlText("self_collide", "true"));
   for (std::size_t i = 0; i < model.links.size(); ++i)

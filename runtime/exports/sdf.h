@@ -6,10 +6,11 @@
 
 #include <string>
 
-#include "runtime/exports/robot_model.h"
 #include "runtime/exports/surroundings.h"
 
 namespace plsc {
+
+struct RobotModel;
 
 /// A world that holds the model, or the model alone.
 std::string Sdf(const RobotModel& model, Surroundings surroundings);

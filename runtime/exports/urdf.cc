@@ -3,6 +3,7 @@
 #include <cstddef>
 
 #include "runtime/exports/number_text.h"
+#include "runtime/exports/robot_model.h"
 #include "runtime/text/xml.h"
 
 namespace plsc {
@@ -28,7 +29,7 @@ XmlElement Origin(const Vector3d& position, const Eigen::Matrix3d& axes) {
   return origin;
 }
 
-XmlElement Inertial(const Link& link, const Vector3d& frame) {
+XmlElement UrdfInertial(const Link& link, const Vector3d& frame) {
   const Eigen::Matrix3d& i = link.inertia;
   return {"inertial",
           {},
@@ -75,7 +76,7 @@ XmlElement LinkElement(const RobotModel& model, std::size_t index) {
   const Link& link = model.assembly.links[index];
   const Vector3d frame = FrameOf(model.assembly, index);
   XmlElement element{
-      "link", {{"name", model.links[index]}}, {Inertial(link, frame)}};
+      "link", {{"name", model.links[index]}}, {UrdfInertial(link, frame)}};
   for (const Box& box : link.boxes) {
     XmlElement seen = Shape("visual", model, index, box);
     seen.children.push_back({"material", {{"name", MaterialOf(model, box)}}});

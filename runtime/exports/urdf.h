@@ -6,9 +6,9 @@
 
 #include <string>
 
-#include "runtime/exports/robot_model.h"
-
 namespace plsc {
+
+struct RobotModel;
 
 std::string Urdf(const RobotModel& model);
 

@@ -13,7 +13,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json Numbers(const std::vector<RuleIndex>& rules) {
+Json NumbersJson(const std::vector<RuleIndex>& rules) {
   Json numbers = Json::array();
   for (const RuleIndex rule : rules) numbers.push_back(rule + 1);
   return numbers;
@@ -43,11 +43,11 @@ std::string RegulationJson(const Genotype& genotype,
   Json json;
   json["genotype"] = genotype.name;
   json["environment"] = EnvironmentJson(named.environment, genotype.states);
-  json["active_rules"] = Numbers(active.rules);
+  json["active_rules"] = NumbersJson(active.rules);
   json["symbols"] = Json::object();
   for (const SymbolRules& symbol : BySymbol(genotype, active)) {
     Json entry;
-    entry["rules"] = Numbers(symbol.active);
+    entry["rules"] = NumbersJson(symbol.active);
     if (!symbol.active.empty()) entry["joined"] = Json::array();
     for (const Occurrence& occurrence : active.joined[symbol.symbol])
       entry["joined"].push_back(SymbolJson(genotype, occurrence));
@@ -69,11 +69,11 @@ std::string RegulationRowJson(const Genotype& genotype, const StateSpace& space,
         ClassJson(space.classes(i)[space.ClassAt(index, i)], state);
   }
   json["environment"] = EnvironmentJson(environment, genotype.states);
-  json["active_rules"] = Numbers(active.rules);
+  json["active_rules"] = NumbersJson(active.rules);
   json["symbols"] = Json::object();
   for (const SymbolRules& symbol : BySymbol(genotype, active))
     json["symbols"][genotype.SymbolOf(symbol.symbol).name] =
-        Numbers(symbol.active);
+        NumbersJson(symbol.active);
   return json.dump();
 }
 

@@ -15,7 +15,7 @@ namespace {
 
 using Row = std::vector<std::string>;
 
-std::string Numbers(const std::vector<RuleIndex>& rules) {
+std::string RuleNumbers(const std::vector<RuleIndex>& rules) {
   if (rules.empty()) return "-";
   std::string text;
   for (const RuleIndex rule : rules)
@@ -47,7 +47,7 @@ std::string RegulationText(const Genotype& genotype,
   std::vector<Row> rows;
   for (const SymbolRules& symbol : BySymbol(genotype, active))
     rows.push_back({genotype.SymbolOf(symbol.symbol).name,
-                    Numbers(symbol.active),
+                    RuleNumbers(symbol.active),
                     JoinedText(genotype, active, symbol.symbol)});
   return rows.empty() ? text : text + AlignedRows(rows);
 }
@@ -66,7 +66,7 @@ std::string RegulationTable(const Genotype& genotype, const StateSpace& space) {
                                genotype.StateOf(space.states()[s])));
     const ActiveRules active = Regulate(genotype, {space.At(i)});
     for (const SymbolRules& symbol : BySymbol(genotype, active))
-      row.push_back(Numbers(symbol.active));
+      row.push_back(RuleNumbers(symbol.active));
     rows.push_back(std::move(row));
   }
   return AlignedRows(rows);

@@ -30,7 +30,7 @@
 
 #include "runtime/develop/developed.h"
 #include "runtime/develop/phenotype_json.h"
-#include "runtime/life/evaluation.h"
+#include "runtime/life/life.h"
 #include "runtime/life/season_developer.h"
 #include "runtime/scenario/scenario_yaml.h"
 #include "sim/imu.h"
@@ -166,6 +166,8 @@ std::vector<Simulated> LifePlanner::Simulate(const Genotype& genotype,
   }
   SeasonDeveloper seasons(genotype, scenario_, inherited);
   DevelopedSeason developed;
+  // From the first season on: whether a robot grows anew or keeps the body of
+  // its birth is known to the developer of all seasons before.
   for (std::size_t i = 0; i <= piece.first; ++i)
     developed =
         seasons.Next(0, seasons.AsksImu() ? inclinations_[i] : std::nullopt);

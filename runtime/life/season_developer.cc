@@ -163,6 +163,8 @@ SeasonResult Complete(SeasonResult developed, const Simulated& simulated) {
   result.state_hash = simulated.state_hash;
   result.steps = simulated.steps;
   result.solver_warnings = simulated.solver_warnings;
+  // No fitness is worse than any: what broke off is not paid for the part that
+  // it walked.
   if (result.outcome != Outcome::kCompleted) return result;
   const double speed = result.behaviour.displacement_velocity_hill;
   assert(std::isfinite(speed));

@@ -10,9 +10,9 @@
 #include <numbers>
 #include <optional>
 
-#include "runtime/life/evaluation.h"
 #include "runtime/life/season_developer.h"
 #include "sim/imu.h"
+#include "sim/placement.h"
 
 namespace plsc {
 

@@ -24,7 +24,7 @@ struct Units {
 };
 
 // The character that begins the text.
-Units FirstOf(std::string_view text) {
+Units FirstCharacter(std::string_view text) {
   const auto lead = static_cast<unsigned char>(text[0]);
   std::uint32_t wanted = 1;
   if (lead >= 0xF0U)
@@ -44,7 +44,7 @@ Units FirstOf(std::string_view text) {
 std::uint32_t Utf16Length(std::string_view text) {
   std::uint32_t units = 0;
   while (!text.empty()) {
-    const Units first = FirstOf(text);
+    const Units first = FirstCharacter(text);
     units += first.units;
     text.remove_prefix(first.bytes);
   }
@@ -64,7 +64,7 @@ LineTable::LineTable(std::string_view text) : text_(text), begins_{0} {
   while (at.offset < text.size()) {
     if (marks_.empty() || at.offset - marks_.back().offset >= kMarkDistance)
       marks_.push_back(at);
-    const Units next = FirstOf(text.substr(at.offset));
+    const Units next = FirstCharacter(text.substr(at.offset));
     at.offset += next.bytes;
     at.units += next.units;
   }
@@ -129,7 +129,7 @@ std::uint32_t LineTable::OffsetAt(Place place) const {
     at = mark.offset;
   }
   while (at < end) {
-    const Units next = FirstOf(text_.substr(at, end - at));
+    const Units next = FirstCharacter(text_.substr(at, end - at));
     if (units + next.units > place.character) break;
     units += next.units;
     at += next.bytes;

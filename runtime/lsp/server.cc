@@ -25,16 +25,14 @@ namespace plsc::lsp {
 
 namespace {
 
-enum class Phase { kFresh, kRunning, kShutDown };
-
 std::string PublishBody(Json params) {
   return NotificationBody("textDocument/publishDiagnostics", std::move(params));
 }
 
 std::string ErrorMessageBody(const std::string& message) {
-  constexpr int kError = 1;  // LSP's MessageType
+  constexpr int kErrorMessage = 1;  // LSP's MessageType
   return NotificationBody("window/showMessage",
-                          {{"type", kError}, {"message", message}});
+                          {{"type", kErrorMessage}, {"message", message}});
 }
 
 }  // namespace
@@ -83,6 +81,8 @@ class Server::Session {
   std::optional<int> exit_status() const { return exit_status_; }
 
  private:
+  enum class Phase { kFresh, kRunning, kShutDown };
+
   const std::map<std::string, Document>& documents() const {
     return workspace_.documents.all();
   }

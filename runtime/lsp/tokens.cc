@@ -61,7 +61,7 @@ struct Piece {
 };
 
 // What `rest`, which begins with no blank, begins with.
-Piece FirstOf(std::string_view rest) {
+Piece FirstPiece(std::string_view rest) {
   const char c = rest[0];
   if (c == '#')
     return {TokenKind::kComment,
@@ -90,7 +90,7 @@ std::vector<Token> Tokenize(std::string_view text) {
       ++at;
       continue;
     }
-    const Piece piece = FirstOf(text.substr(at));
+    const Piece piece = FirstPiece(text.substr(at));
     tokens.push_back({{static_cast<std::uint32_t>(at),
                        static_cast<std::uint32_t>(at + piece.length)},
                       piece.kind});

@@ -18,7 +18,7 @@ namespace plsc {
 
 namespace {
 
-constexpr const char* kStyle =
+constexpr const char* kBodiesStyle =
     ".name{font-size:28px} .id{font-size:16px} .note{font-size:15px}";
 constexpr int kIcon = kLegendIcon / 2;  // px, half the side
 
@@ -158,7 +158,7 @@ std::string BodiesSvg(const std::string& title,
   };
   return PanelsSvg(title, PanelsOf(bodies, paint),
                    Joined(TypeLegend(bodies), DifferenceLegend(bodies)),
-                   kStyle);
+                   kBodiesStyle);
 }
 
 std::string BodiesByRuleSvg(const std::string& title,
@@ -183,7 +183,8 @@ std::string BodiesByRuleSvg(const std::string& title,
                       is_axiom ? "the axiom" : rule_texts[rule]});
   }
   return PanelsSvg(title, PanelsOf(bodies, paint),
-                   Joined(std::move(legend), DifferenceLegend(bodies)), kStyle);
+                   Joined(std::move(legend), DifferenceLegend(bodies)),
+                   kBodiesStyle);
 }
 
 }  // namespace plsc

@@ -99,10 +99,6 @@ std::string BarShape(const Bar& bar, const std::string& style) {
                      bar.corner.x, bar.corner.y, bar.width, bar.height, style);
 }
 
-bool IsSensor(const Module& module) {
-  return module.type == ModuleType::kTouchSensor;
-}
-
 // Dashed lines lie on a white one, so that they are seen on any colour.
 std::string OutlineShape(const Bar& bar, ModuleMark mark) {
   std::string black = BarShape(
@@ -125,6 +121,10 @@ Bar Square(int x, int y, int half) {
 }
 
 }  // namespace
+
+bool IsSensor(const Module& module) {
+  return module.type == ModuleType::kTouchSensor;
+}
 
 void CellExtent::Include(const Body& body) {
   for (const Module& module : body.modules) {

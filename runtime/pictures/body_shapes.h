@@ -15,6 +15,9 @@ namespace plsc {
 
 inline constexpr int kCellSide = 100;  ///< px, as in the authors' drawings
 
+/// Drawn as a bar on its parent.
+bool IsSensor(const Module& module);
+
 /// Cells that a body takes; sensors take none.
 struct CellExtent {
   int left = 0;

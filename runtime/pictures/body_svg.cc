@@ -11,8 +11,8 @@ namespace plsc {
 
 namespace {
 
-constexpr int kMargin = 20;       // px around the body
-constexpr int kTitleHeight = 40;  // px
+constexpr int kBodyMargin = 20;       // px around the body
+constexpr int kBodyTitleHeight = 40;  // px
 // Widest title line; a lone core must still show its genotype's name.
 constexpr int kMinWidth = 240;  // px
 
@@ -22,12 +22,13 @@ std::string BodySvg(const Body& body, const std::string& title) {
   CellExtent extent;
   extent.Include(body);
   const int columns = extent.columns() * kCellSide;
-  const int width = std::max(columns + 2 * kMargin, kMinWidth);
-  const int height = extent.rows() * kCellSide + 2 * kMargin + kTitleHeight;
+  const int width = std::max(columns + 2 * kBodyMargin, kMinWidth);
+  const int height =
+      extent.rows() * kCellSide + 2 * kBodyMargin + kBodyTitleHeight;
   const int core_x =
       (width - columns) / 2 - extent.left * kCellSide + kCellSide / 2;
   const int core_y =
-      kTitleHeight + kMargin + extent.front * kCellSide + kCellSide / 2;
+      kBodyTitleHeight + kBodyMargin + extent.front * kCellSide + kCellSide / 2;
   return fmt::format(R"(<svg xmlns="http://www.w3.org/2000/svg" width="{0}" )"
                      R"(height="{1}" viewBox="0 0 {0} {1}" )"
                      R"(font-family="sans-serif" text-anchor="middle">)"

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "runtime/compare/body_difference.h"
+#include "runtime/pictures/body_shapes.h"
 
 namespace plsc {
 
@@ -45,7 +46,7 @@ class Canvas {
   std::vector<std::string> cells_;
 };
 
-struct Point {
+struct Place {
   int x = 0;
   int y = 0;
 };
@@ -66,7 +67,7 @@ const BoxStyle& StyleOf(ModuleMark mark) {
                                      : kDouble;
 }
 
-void DrawBox(Canvas& canvas, Point corner, const std::string& label,
+void DrawBox(Canvas& canvas, Place corner, const std::string& label,
              const BoxStyle& style) {
   const int right = corner.x + kBoxWidth - 1;
   const int bottom = corner.y + kBoxHeight - 1;
@@ -85,7 +86,7 @@ void DrawBox(Canvas& canvas, Point corner, const std::string& label,
 }
 
 // The middle of the border on one side of a box.
-Point Border(Point corner, Facing side) {
+Place Border(Place corner, Facing side) {
   switch (side) {
     case Facing::kFront:
       return {corner.x + kBoxWidth / 2, corner.y};
@@ -108,10 +109,6 @@ std::string LabelOf(const Module& module) {
   return label;
 }
 
-bool IsSensor(const Module& module) {
-  return module.type == ModuleType::kTouchSensor;
-}
-
 // A canvas that cells are drawn on.
 class Plan {
  public:
@@ -126,21 +123,21 @@ class Plan {
     DrawBox(canvas_, CornerOf(module), "", kDashed);
   }
   void AddDot(const Module& module) {
-    const Point dot = Border(CornerOf(module), Opposite(module.facing));
+    const Place dot = Border(CornerOf(module), Opposite(module.facing));
     canvas_.Set(dot.x, dot.y, "•");
   }
   void AddSensor(const Body& body, const Module& sensor,
                  std::string_view letter) {
     const Module& parent =
         body.modules[static_cast<std::size_t>(sensor.parent)];
-    const Point place =
+    const Place place =
         Border(CornerOf(parent), FacingOf(parent.facing, sensor.slot));
     canvas_.Set(place.x, place.y, letter);
   }
   std::string Text() const { return canvas_.Text(); }
 
  private:
-  Point CornerOf(const Module& module) const {
+  Place CornerOf(const Module& module) const {
     return {(module.x - extent_.left) * kBoxWidth,
             (extent_.front - module.y) * kBoxHeight};
   }

@@ -18,17 +18,17 @@ namespace plsc {
 
 namespace {
 
-constexpr int kRadius = 24;      // px, of a node
-constexpr int kSquare = 22;      // px, half the side of a module
-constexpr int kTextWidth = 190;  // px, right of the joints
-constexpr double kThin = 1.2;    // px, an edge of weight 0
-constexpr double kThick = 6.5;   // px, one of weight 1
+constexpr int kRadius = 24;        // px, of a node
+constexpr int kSquare = 22;        // px, half the side of a module
+constexpr int kTextWidth = 190;    // px, right of the joints
+constexpr double kThin = 1.2;      // px, an edge of weight 0
+constexpr double kThickest = 6.5;  // px, one of weight 1
 constexpr std::string_view kPositive = "#0072b2";  // Okabe and Ito's blue
 constexpr std::string_view kNegative = "#d55e00";  // and vermillion
 // Labels of more edges than this would lie upon each other.
 constexpr std::size_t kMostLabels = 24;
 
-constexpr const char* kStyle =
+constexpr const char* kBrainStyle =
     ".node{stroke-width:2.5} .weight{font-size:12px} .number{font-size:15px} "
     ".part{font-size:13px} .kind{font-size:11px} "
     ".numbers{font-size:12px;text-anchor:start;fill:#222} "
@@ -45,7 +45,7 @@ std::string MarkStyle(ModuleMark mark, double width) {
 }
 
 double EdgeWidth(double weight) {
-  return kThin + (kThick - kThin) * std::min(std::abs(weight), 1.0);
+  return kThin + (kThickest - kThin) * std::min(std::abs(weight), 1.0);
 }
 
 std::string EdgeStyle(double weight) {
@@ -71,13 +71,14 @@ std::string WeightLabel(double x, double y, double weight) {
 // Its tip at (x, y), the way it points in unit steps.
 std::string ArrowHead(double x, double y, double dx, double dy,
                       std::string_view colour) {
-  constexpr double kLength = 13;  // px
-  constexpr double kHalf = 6;     // px
+  constexpr double kLength = 13;    // px
+  constexpr double kHalfWidth = 6;  // px
   return fmt::format(
       R"(<polygon points="{:.1f},{:.1f} {:.1f},{:.1f} {:.1f},{:.1f}" )"
       R"(fill="{}"/>)",
-      x, y, x - kLength * dx - kHalf * dy, y - kLength * dy + kHalf * dx,
-      x - kLength * dx + kHalf * dy, y - kLength * dy - kHalf * dx, colour);
+      x, y, x - kLength * dx - kHalfWidth * dy,
+      y - kLength * dy + kHalfWidth * dx, x - kLength * dx + kHalfWidth * dy,
+      y - kLength * dy - kHalfWidth * dx, colour);
 }
 
 class BrainDrawing {
@@ -367,7 +368,7 @@ std::string BrainsSvg(const std::string& title,
     panel.top = -row_height / 2 - (has_loop ? 20 : 0);
     panel.height = height + (has_loop ? 20 : 0);
   }
-  return PanelsSvg(title, panels, LegendOf(brains, differences), kStyle);
+  return PanelsSvg(title, panels, LegendOf(brains, differences), kBrainStyle);
 }
 
 }  // namespace plsc

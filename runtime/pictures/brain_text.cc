@@ -16,7 +16,7 @@ namespace plsc {
 
 namespace {
 
-constexpr int kBar = 10;  // characters of a weight of 1
+constexpr int kBarLength = 10;  // characters of a weight of 1
 
 std::string PartOf(const Body& body, const Node& node) {
   const auto type = body.modules[static_cast<std::size_t>(node.module)].type;
@@ -46,9 +46,9 @@ std::string NodeLine(const Phenotype& robot, int index) {
                      part, node.amplitude, node.period, node.phase_offset);
 }
 
-std::string Bar(double weight) {
-  const int length =
-      static_cast<int>(std::lround(std::min(std::abs(weight), 1.0) * kBar));
+std::string BarText(double weight) {
+  const int length = static_cast<int>(
+      std::lround(std::min(std::abs(weight), 1.0) * kBarLength));
   std::string bar;
   for (int i = 0; i < std::max(length, 1); ++i) bar += weight < 0 ? "╌" : "━";
   return bar;
@@ -59,7 +59,7 @@ std::string EdgeLine(const Connection& edge) {
   return fmt::format("{:>7} {} {:<7} {:+.2f} {}\n", NodeName(edge.source),
                      is_loop ? "↺" : "→",
                      is_loop ? std::string() : NodeName(edge.destination),
-                     edge.weight, Bar(edge.weight));
+                     edge.weight, BarText(edge.weight));
 }
 
 std::string_view SignOf(ModuleMark mark) {

@@ -19,6 +19,7 @@
 #include "runtime/pictures/map_view.h"
 #include "runtime/pictures/svg_style.h"
 #include "runtime/pictures/top_view.h"
+#include "runtime/recording/recording.h"
 #include "runtime/text/quantity.h"
 #include "runtime/text/xml.h"
 
@@ -26,13 +27,13 @@ namespace plsc {
 
 namespace {
 
-constexpr double kPlot = 380;     // px, side of a season's square
-constexpr double kGap = 20;       // px, around it
-constexpr double kTitle = 34;     // px, the genotype's name
-constexpr double kHeading = 44;   // px, two lines above a square
-constexpr double kFooting = 26;   // px, the line below it
-constexpr int kMostInRow = 4;     // wider pictures do not fit screens
-constexpr double kFilled = 0.86;  // of a square that the widest season takes
+constexpr double kPlot = 380;        // px, side of a season's square
+constexpr double kPathGap = 20;      // px, around it
+constexpr double kTitle = 34;        // px, the genotype's name
+constexpr double kPathHeading = 44;  // px, two lines above a square
+constexpr double kFooting = 26;      // px, the line below it
+constexpr int kPathsInRow = 4;       // wider pictures do not fit screens
+constexpr double kFilled = 0.86;     // of a square that the widest season takes
 // px per m: 25 cm fill a square; a robot that rests is not made a monster.
 constexpr double kMaxScale = 1520;
 // Between the widest season and one that shares its scale.
@@ -283,9 +284,9 @@ std::string SeasonSvg(const RecordedSeason& season, const MapView& view,
 std::string PathSvg(const Recording& recording) {
   const std::vector<double> scales = ScalesFor(recording);
   const auto seasons = static_cast<int>(recording.seasons.size());
-  const int columns = std::clamp(seasons, 1, kMostInRow);
+  const int columns = std::clamp(seasons, 1, kPathsInRow);
   const int rows = (seasons + columns - 1) / columns;
-  const double panel = kHeading + kPlot + kFooting;
+  const double panel = kPathHeading + kPlot + kFooting;
   std::string svg = fmt::format(
       R"(<svg xmlns="http://www.w3.org/2000/svg" width="{0}" height="{1}" )"
       R"(viewBox="0 0 {0} {1}" font-family="sans-serif">)"
@@ -306,8 +307,8 @@ std::string PathSvg(const Recording& recording) {
       "\n"
       R"(<text x="{3}" y="26" class="title">{4}</text>)"
       "\n",
-      kGap + columns * (kPlot + kGap), kTitle + rows * panel + kGap / 2,
-      EscapeXml(recording.name), kGap,
+      kPathGap + columns * (kPlot + kPathGap),
+      kTitle + rows * panel + kPathGap / 2, EscapeXml(recording.name), kPathGap,
       EscapeXml(Shortened(recording.name, kMostLetters)));
   for (int i = 0; i < seasons; ++i) {
     const RecordedSeason& season =
@@ -316,8 +317,8 @@ std::string PathSvg(const Recording& recording) {
     view.centre = ExtentOf(season).center();
     view.scale = scales[static_cast<std::size_t>(i)];
     const int row = i / columns;
-    view.corner = {kGap + i % columns * (kPlot + kGap),
-                   kTitle + row * panel + kHeading};
+    view.corner = {kPathGap + i % columns * (kPlot + kPathGap),
+                   kTitle + row * panel + kPathHeading};
     view.side = kPlot;
     svg += SeasonSvg(season, view, static_cast<std::size_t>(i));
   }

@@ -7,9 +7,9 @@
 
 #include <string>
 
-#include "runtime/recording/recording.h"
-
 namespace plsc {
+
+struct Recording;
 
 /// A complete SVG file. Names may hold any text.
 std::string PathSvg(const Recording& recording);

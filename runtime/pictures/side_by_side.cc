@@ -8,7 +8,7 @@ namespace plsc {
 
 namespace {
 
-constexpr std::size_t kGap = 3;  // characters between blocks
+constexpr std::size_t kBetween = 3;  // characters between blocks
 
 struct Block {
   std::vector<std::string> lines;
@@ -39,8 +39,8 @@ std::string RowText(const std::vector<Block>& blocks, std::size_t begin,
       const Block& block = blocks[i];
       const std::string part =
           line < block.lines.size() ? block.lines[line] : std::string();
-      whole +=
-          part + std::string(block.width - CountCharacters(part) + kGap, ' ');
+      whole += part +
+               std::string(block.width - CountCharacters(part) + kBetween, ' ');
     }
     whole.erase(whole.find_last_not_of(' ') + 1);
     text += whole + '\n';
@@ -59,8 +59,9 @@ std::string SideBySide(const std::vector<std::string>& texts,
   for (std::size_t begin = 0; begin < blocks.size();) {
     std::size_t end = begin + 1;
     std::size_t width = blocks[begin].width;
-    while (end < blocks.size() && width + kGap + blocks[end].width <= columns)
-      width += kGap + blocks[end++].width;
+    while (end < blocks.size() &&
+           width + kBetween + blocks[end].width <= columns)
+      width += kBetween + blocks[end++].width;
     if (begin > 0) all += '\n';
     all += RowText(blocks, begin, end);
     begin = end;

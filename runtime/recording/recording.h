@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "grammar/enum_names.h"
-#include "runtime/life/evaluation.h"
+#include "runtime/life/life.h"
 #include "sim/modules.h"
 #include "sim/pose_recorder.h"
 

@@ -1,4 +1,10 @@
-// The reading half of recording_json.h.
+// The reading half of recording_json.h. A recording may come from anywhere, and
+// who draws one takes its indices, sizes and turns as they are; so all of them
+// are checked here, against each other, too: joints name links that there are,
+// tracks have the rows that the body asks for, samples rise in time. Nothing is
+// allocated on a number's word (DecodeTrack). Reading goes on after an error
+// with what a default is, so that all errors are told at once, and nothing is
+// returned if there was one.
 
 #include <fmt/format.h>
 
@@ -20,8 +26,6 @@ namespace plsc {
 
 namespace {
 
-using Json = nlohmann::json;
-
 constexpr std::int64_t kMaxInt = std::numeric_limits<int>::max();
 // A quaternion of a file is rounded to 2^-15 at each part, and no further.
 constexpr double kUnitTolerance = 1e-3;
@@ -30,7 +34,7 @@ constexpr double kUnitTolerance = 1e-3;
 template <typename Read>
 void With(JsonReader& reader, const JsonValue& object, std::string_view key,
           Read read) {
-  if (const Json* member = reader.Member(object, key))
+  if (const nlohmann::json* member = reader.Member(object, key))
     read(JsonValue{*member, &object, std::string(key)});
 }
 
@@ -70,7 +74,7 @@ int ReadIndex(JsonReader& reader, const JsonValue& object, std::string_view key,
 
 std::optional<double> ReadOptional(JsonReader& reader, const JsonValue& object,
                                    std::string_view key) {
-  const Json* member = reader.Member(object, key);
+  const nlohmann::json* member = reader.Member(object, key);
   if (member == nullptr || member->is_null()) return std::nullopt;
   return reader.Number(JsonValue{*member, &object, std::string(key)});
 }
@@ -356,7 +360,7 @@ bool IsOfThisVersion(JsonReader& reader, const JsonValue& root) {
 Result<Recording> ParseRecording(const Source& source) {
   static constexpr std::array<std::string_view, 5> kKnown{
       "plsc_recording", "name", "genotype", "scenario", "seasons"};
-  const Result<Json> json = ReadJson(source);
+  const Result<nlohmann::json> json = ReadJson(source);
   if (!json) return json.diagnostics();
   JsonReader reader(source);
   const JsonValue root{*json, nullptr, ""};

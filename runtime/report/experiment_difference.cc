@@ -24,7 +24,7 @@ struct Line {
   std::string value;  // empty: a map or a list follows
 };
 
-Line Split(std::string_view text) {
+Line SplitLine(std::string_view text) {
   Line line;
   line.depth = text.find_first_not_of(' ');
   if (text.substr(line.depth).starts_with("- ")) {
@@ -53,7 +53,7 @@ Keys KeysOf(const Experiment& experiment) {
   std::string_view rest = text;
   while (!rest.empty()) {
     const std::size_t end = rest.find('\n');
-    const Line line = Split(rest.substr(0, end));
+    const Line line = SplitLine(rest.substr(0, end));
     rest.remove_prefix(end + 1);
     const std::size_t depth = line.begins_item ? line.depth - 1 : line.depth;
     while (!path.empty() && path.back().first >= depth) path.pop_back();

@@ -14,7 +14,7 @@ namespace plsc {
 namespace {
 
 namespace fs = std::filesystem;
-using Inputs = Loaded<ReportInputs>;
+using Inputs = Expected<ReportInputs, Failure>;
 
 constexpr const char* kStudyFile = "study.yaml";
 
@@ -37,8 +37,8 @@ std::string NameOf(const fs::path& folder) {
 
 /// The runs of a study, or of one of its experiments.
 Inputs RunsOfStudy(const std::string& folder, const std::string& only) {
-  const Loaded<Study> study = StudyIn(folder);
-  if (!study) return Inputs::Failed(study.failure());
+  const Expected<Study, Failure> study = StudyIn(folder);
+  if (!study) return study.error();
   ReportInputs inputs;
   inputs.title = study->name.empty() ? NameOf(folder) : study->name;
   for (const StudyRun& run : RunsOf(*study)) {
@@ -58,10 +58,10 @@ Inputs RunsInFolder(const std::string& folder) {
     if (entry->path().extension() == ".sqlite")
       paths.push_back(entry->path().string());
   if (error)
-    return Inputs::Failed(
+    return Failure(
         fmt::format("cannot read '{}': {}", folder, error.message()));
   if (paths.empty())
-    return Inputs::Failed(fmt::format(
+    return Failure(fmt::format(
         "'{}' is no study's folder and has no runs (*.sqlite)", folder));
   std::sort(paths.begin(), paths.end());
   ReportInputs inputs;
@@ -97,12 +97,12 @@ Inputs RunOfFile(const std::string& path) {
 Inputs RunsAt(const std::string& path) {
   std::error_code error;
   if (!fs::exists(path, error))
-    return Inputs::Failed(
+    return Failure(
         fmt::format("cannot read '{}': no such file or folder", path));
   if (!fs::is_directory(path, error)) {
     const std::string extension = fs::path(path).extension().string();
     if (extension == ".yaml" || extension == ".yml")
-      return Inputs::Failed(fmt::format(
+      return Failure(fmt::format(
           "'{}' is no run; name the folder that 'plsc study run' filled",
           path));
     return RunOfFile(path);

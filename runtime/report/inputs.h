@@ -7,8 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "grammar/expected.h"
+#include "grammar/failure.h"
 #include "runtime/evolve/experiment.h"
-#include "runtime/store/loaded.h"
 
 namespace plsc {
 
@@ -28,6 +29,6 @@ struct ReportInputs {
 
 /// Paths are folders of studies, folders of one of their experiments, folders
 /// of runs (*.sqlite), and runs. A run that several of them name is there once.
-Loaded<ReportInputs> FindRuns(const std::vector<std::string>& paths);
+Expected<ReportInputs, Failure> FindRuns(const std::vector<std::string>& paths);
 
 }  // namespace plsc

@@ -19,8 +19,8 @@ constexpr double kReach = 1.5;
 
 Quartiles OfSorted(const std::vector<double>& values) {
   if (values.empty()) {
-    constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-    return {kNone, kNone, kNone};
+    constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+    return {kNan, kNan, kNan};
   }
   return {Quantile(values, 0.25), Quantile(values, 0.5),
           Quantile(values, 0.75)};

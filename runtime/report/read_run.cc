@@ -20,18 +20,16 @@ namespace plsc {
 
 namespace {
 
-using Failure = std::optional<std::string>;
-
 // A store without a journal is read as a file that stays as it is; when a
 // process begins to write to it meanwhile, what was read is thrown away, and
 // the next time there is a journal.
 constexpr int kAttempts = 3;
 
 /// Facts and population, of one instant.
-Failure ReadTables(const std::string& path, const ReadOptions& options,
-                   RunReading& reading) {
+MaybeFailure ReadTables(const std::string& path, const ReadOptions& options,
+                        RunReading& reading) {
   Database database;
-  if (Failure failure = database.Open(path, Database::Mode::kRead))
+  if (MaybeFailure failure = database.Open(path, Database::Mode::kRead))
     return failure;
   Transaction instant(database);
   reading.facts = ReadFacts(database);
@@ -45,31 +43,31 @@ bool HasClauses(const Experiment& experiment) {
 }
 
 /// What stays as it is once it is written.
-Failure ReadRobots(RunStore& store, RunReading& reading) {
+MaybeFailure ReadRobots(RunStore& store, RunReading& reading) {
   if (reading.facts.best == 0) return std::nullopt;
-  Loaded<Portrait> best = PortraitOf(store, reading.facts.best);
-  if (!best) return best.failure();
+  Expected<Portrait, Failure> best = PortraitOf(store, reading.facts.best);
+  if (!best) return best.error();
   reading.best = std::move(*best);
   if (!HasClauses(store.experiment())) return std::nullopt;
-  Loaded<std::vector<RuleCount>> rules =
+  Expected<std::vector<RuleCount>, Failure> rules =
       CountRules(store, reading.population.survivors);
-  if (!rules) return rules.failure();
+  if (!rules) return rules.error();
   reading.rules = std::move(*rules);
   return std::nullopt;
 }
 
-Failure ReadAll(const std::string& path, const ReadOptions& options,
-                const std::optional<Experiment>& expected,
-                RunReading& reading) {
+MaybeFailure ReadAll(const std::string& path, const ReadOptions& options,
+                     const std::optional<Experiment>& expected,
+                     RunReading& reading) {
   RunStore store;
-  if (Failure failure = store.OpenForReading(path)) return failure;
+  if (MaybeFailure failure = store.OpenForReading(path)) return failure;
   reading.experiment = store.experiment();
   if (expected && !AreSame(reading.experiment, *expected))
     return fmt::format(
         "'{}' is a run of another experiment or seed than the study's", path);
   if (options.verify)
-    if (Failure failure = Examine(path).problem) return failure;
-  if (Failure failure = ReadTables(path, options, reading)) return failure;
+    if (MaybeFailure failure = Examine(path).problem) return failure;
+  if (MaybeFailure failure = ReadTables(path, options, reading)) return failure;
   return ReadRobots(store, reading);
 }
 
@@ -79,7 +77,7 @@ RunReading ReadRun(const std::string& path, const ReadOptions& options,
                    const std::optional<Experiment>& expected) {
   std::error_code error;
   if (!std::filesystem::exists(path, error)) return {};
-  Failure failure;
+  MaybeFailure failure;
   for (int attempt = 0; attempt < kAttempts; ++attempt) {
     // Asked first: a run that ends meanwhile is then taken for running, not
     // for one that nobody works on.
@@ -95,11 +93,11 @@ RunReading ReadRun(const std::string& path, const ReadOptions& options,
       if (!is_done) reading.worker = worker.value_or("");
       return reading;
     }
-    if (!failure->ends_with("try again")) break;
+    if (failure->kind != Failure::Kind::kChanged) break;
   }
   RunReading damaged;
   damaged.state = RunState::kDamaged;
-  damaged.problem = std::move(*failure);
+  damaged.problem = std::move(failure->text);
   return damaged;
 }
 

@@ -21,11 +21,6 @@ std::string WithoutRepetition(const std::string& name) {
   return is_number ? name.substr(0, slash) : name;
 }
 
-/// What runs of one experiment have in common.
-std::string KeysOf(const Experiment& experiment) {
-  return PrintExperimentKeys(experiment, 0);
-}
-
 /// What is known of the run; nothing of a file that cannot be read.
 std::optional<Experiment> ExperimentOfRun(const ReportRun& run) {
   if (run.input.expected) return run.input.expected;
@@ -59,7 +54,8 @@ std::vector<ReportExperiment> GroupRuns(const std::vector<ReportRun>& runs) {
     const std::optional<Experiment> experiment = ExperimentOfRun(runs[i]);
     if (!experiment) continue;
     const std::string& named = runs[i].input.experiment;
-    const std::string key = KeysOf(*experiment);
+    // What runs of one experiment have in common.
+    const std::string key = PrintExperimentKeys(*experiment, 0);
     std::size_t group = 0;
     while (group < groups.size() &&
            !(keys[group].second == key &&

@@ -54,7 +54,7 @@ std::string Folded(std::string_view text) {
   return folded.substr(begin, folded.find_last_not_of('_') + 1 - begin);
 }
 
-std::vector<std::string> Split(std::string_view text) {
+std::vector<std::string> SplitNames(std::string_view text) {
   std::vector<std::string> parts;
   for (std::size_t begin = 0; begin <= text.size();) {
     const std::size_t end = std::min(text.find(',', begin), text.size());
@@ -88,20 +88,20 @@ Measures AllMeasures() {
   return all;
 }
 
-Loaded<Measures> ChooseMeasures(std::string_view text) {
+Expected<Measures, Failure> ChooseMeasures(std::string_view text) {
   if (text == "paper") return PaperMeasures();
   const Measures all = AllMeasures();
   if (text == "all") return all;
   std::vector<std::string> names;
   for (const ReportMeasure& measure : all) names.push_back(measure.id);
   Measures chosen;
-  for (const std::string& name : Split(text)) {
+  for (const std::string& name : SplitNames(text)) {
     const auto found =
         std::find_if(all.begin(), all.end(), [&](const ReportMeasure& measure) {
           return measure.id == name || Folded(measure.title) == name;
         });
     if (found == all.end())
-      return Loaded<Measures>::Failed(fmt::format(
+      return Failure(fmt::format(
           "unknown measure '{}'; there are paper, all, or any of speed, "
           "balance, size, {}",
           name, fmt::join(names, ", ")));

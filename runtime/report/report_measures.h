@@ -8,7 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include "runtime/store/loaded.h"
+#include "grammar/expected.h"
+#include "grammar/failure.h"
 
 namespace plsc {
 
@@ -38,6 +39,7 @@ std::vector<ReportMeasure> AllMeasures();
 
 /// `text`: "paper", "all", or columns or titles with commas between them, in
 /// any case: "speed,hinge_count". Fails with what is unknown and what there is.
-Loaded<std::vector<ReportMeasure>> ChooseMeasures(std::string_view text);
+Expected<std::vector<ReportMeasure>, Failure> ChooseMeasures(
+    std::string_view text);
 
 }  // namespace plsc

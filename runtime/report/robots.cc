@@ -77,11 +77,12 @@ std::string DrawBody(const Genotype& genotype, const Environment& environment,
 
 }  // namespace
 
-Loaded<Portrait> PortraitOf(RunStore& store, int id) {
-  const Loaded<Individual> one = store.Find(id);
-  if (!one) return Loaded<Portrait>::Failed(one.failure());
-  const Loaded<std::vector<SeasonEvidence>> evidence = store.EvidenceOf(id);
-  if (!evidence) return Loaded<Portrait>::Failed(evidence.failure());
+Expected<Portrait, Failure> PortraitOf(RunStore& store, int id) {
+  const Expected<Individual, Failure> one = store.Find(id);
+  if (!one) return one.error();
+  const Expected<std::vector<SeasonEvidence>, Failure> evidence =
+      store.EvidenceOf(id);
+  if (!evidence) return evidence.error();
   const auto environments =
       EnvironmentsOf(*one, store.experiment().scenario.plasticity);
   Portrait portrait;
@@ -100,12 +101,12 @@ Loaded<Portrait> PortraitOf(RunStore& store, int id) {
   return portrait;
 }
 
-Loaded<std::vector<RuleCount>> CountRules(RunStore& store,
-                                          const std::vector<int>& ids) {
+Expected<std::vector<RuleCount>, Failure> CountRules(
+    RunStore& store, const std::vector<int>& ids) {
   std::vector<RuleCount> all;
   for (const int id : ids) {
-    const Loaded<Individual> one = store.Find(id);
-    if (!one) return Loaded<std::vector<RuleCount>>::Failed(one.failure());
+    const Expected<Individual, Failure> one = store.Find(id);
+    if (!one) return one.error();
     std::vector<RuleCount> counts;
     for (RuleUse& use :
          RulesOf(one->genotype,

@@ -42,7 +42,7 @@ struct Portrait {
 /// Of a robot that is evaluated. Bodies are developed anew for what the robot
 /// sensed; where this program develops another body than is stored, there is
 /// no picture.
-Loaded<Portrait> PortraitOf(RunStore& store, int id);
+Expected<Portrait, Failure> PortraitOf(RunStore& store, int id);
 
 /// How many rules of robots are alike: of one symbol, with one clause, held in
 /// the same seasons.
@@ -52,8 +52,8 @@ struct RuleCount {
 };
 
 /// All rules of these robots.
-Loaded<std::vector<RuleCount>> CountRules(RunStore& store,
-                                          const std::vector<int>& ids);
+Expected<std::vector<RuleCount>, Failure> CountRules(
+    RunStore& store, const std::vector<int>& ids);
 
 /// Adds counts of like rules.
 void AddRules(const std::vector<RuleCount>& more, std::vector<RuleCount>& all);

@@ -72,4 +72,18 @@ std::vector<Diagnostic> CheckSenses(const Scenario& scenario,
   return errors.Take();
 }
 
+SimulationOptions OptionsFor(const Scenario& scenario, const Season& season) {
+  SimulationOptions options;
+  options.duration = season.duration;
+  options.sample_interval = scenario.sample_interval;
+  options.start_height = season.start_height;
+  options.start_clearance = scenario.start_clearance;
+  options.controller = scenario.controller;
+  options.max_steps = scenario.max_steps;
+  options.max_links = scenario.max_links;
+  options.physics = season.physics;
+  options.servo = scenario.servo;
+  return options;
+}
+
 }  // namespace plsc

@@ -15,8 +15,6 @@
 #include "compiler/genotype.h"
 #include "grammar/enum_names.h"
 #include "grammar/result.h"
-#include "sim/imu.h"
-#include "sim/measures.h"
 #include "sim/options.h"
 #include "sim/terrain.h"
 
@@ -97,5 +95,8 @@ bool IsFelt(const Scenario& scenario, const Season& season, const State& state);
 /// The errors of Sense for all seasons, what robots feel taken as known.
 std::vector<Diagnostic> CheckSenses(const Scenario& scenario,
                                     const std::vector<State>& states);
+
+/// How a robot is simulated in a season of the scenario.
+SimulationOptions OptionsFor(const Scenario& scenario, const Season& season);
 
 }  // namespace plsc

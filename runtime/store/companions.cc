@@ -29,8 +29,6 @@
 namespace plsc {
 
 namespace {
-
-using Failure = std::optional<std::string>;
 using Bytes = std::array<unsigned char, 100>;
 
 // https://www.sqlite.org/fileformat.html: the header of a database; of a
@@ -165,7 +163,7 @@ std::string Foreign(const std::string& path, const std::string& companion) {
 
 }  // namespace
 
-Failure CheckCompanions(const std::string& path) {
+MaybeFailure CheckCompanions(const std::string& path) {
   const std::string journal = path + "-wal";
   const std::string index = path + "-shm";
   // Nothing of ours ever has one: all is in WAL mode.
@@ -193,7 +191,7 @@ Failure CheckCompanions(const std::string& path) {
   return std::nullopt;
 }
 
-Failure CheckNoCompanions(const std::string& path) {
+MaybeFailure CheckNoCompanions(const std::string& path) {
   for (const char* end : {"-journal", "-wal", "-shm"})
     if (IsThere(path + end))
       return fmt::format(

@@ -6,18 +6,19 @@
 // be the database's own before SQLite opens it.
 
 #include <cstdint>
-#include <optional>
 #include <string>
+
+#include "grammar/failure.h"
 
 namespace plsc {
 
 /// What is wrong beside the database that is at `path`, naming the file; or
 /// nothing. Opens and closes the database's file: not for one to which this
 /// process has a connection, whose locks that would drop (as POSIX has it).
-std::optional<std::string> CheckCompanions(const std::string& path);
+MaybeFailure CheckCompanions(const std::string& path);
 
 /// Likewise of a database that is to be made: there may be none.
-std::optional<std::string> CheckNoCompanions(const std::string& path);
+MaybeFailure CheckNoCompanions(const std::string& path);
 
 /// A database's own number, by which its journal is known: what SQLite calls
 /// the schema version, chosen by chance when the database is made. Never 0.

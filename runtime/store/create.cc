@@ -13,8 +13,6 @@ namespace plsc {
 
 namespace {
 
-using Failure = std::optional<std::string>;
-
 // Where a state would have to be kept, for streams that are not named by who
 // needs them (docs/decisions/0003-random-streams.md).
 constexpr const char* kRandom =
@@ -62,8 +60,9 @@ void AddRun(Database& database, const Experiment& experiment,
 
 }  // namespace
 
-Failure CreateStoreFile(const std::string& path, const Experiment& experiment,
-                        const Versions& versions, RunLock& lock) {
+MaybeFailure CreateStoreFile(const std::string& path,
+                             const Experiment& experiment,
+                             const Versions& versions, RunLock& lock) {
   return MakeDatabase(
       path,
       [&](Database& database) {

@@ -2,9 +2,9 @@
 
 // A run's store as it is before anybody is born.
 
-#include <optional>
 #include <string>
 
+#include "grammar/failure.h"
 #include "runtime/evolve/experiment.h"
 #include "runtime/store/lock.h"
 #include "runtime/store/versions.h"
@@ -13,9 +13,8 @@ namespace plsc {
 
 /// Makes the file as a whole or not at all: `path` must not exist. What went
 /// wrong, or nothing; then `lock` is on it from its first instant.
-std::optional<std::string> CreateStoreFile(const std::string& path,
-                                           const Experiment& experiment,
-                                           const Versions& versions,
-                                           RunLock& lock);
+MaybeFailure CreateStoreFile(const std::string& path,
+                             const Experiment& experiment,
+                             const Versions& versions, RunLock& lock);
 
 }  // namespace plsc

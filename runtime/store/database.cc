@@ -47,8 +47,8 @@ constexpr int kPatience = 10000;
 
 /// `last_error`: the system's, after the call that failed. SQLite keeps it of
 /// some calls only.
-std::string Explain(sqlite3* connection, const std::string& path, int code,
-                    int last_error) {
+Failure Explain(sqlite3* connection, const std::string& path, int code,
+                int last_error) {
   const char* said = sqlite3_errmsg(connection);
   const int kept = sqlite3_system_errno(connection);
   const int error = kept != 0 ? kept : last_error;
@@ -71,7 +71,11 @@ std::string Explain(sqlite3* connection, const std::string& path, int code,
     case SQLITE_LOCKED:
       return fmt::format("cannot use '{}': another program holds it", path);
     case SQLITE_CORRUPT:
-      return fmt::format("'{}' is damaged: {}", path, said);
+      // Else it says which part of the file makes no sense.
+      return {fmt::format("'{}' is damaged: {}", path, said),
+              said == std::string_view(sqlite3_errstr(SQLITE_CORRUPT))
+                  ? Failure::Kind::kMalformed
+                  : Failure::Kind::kOther};
     case SQLITE_NOTADB:
       return fmt::format("'{}' is no SQLite file, or its beginning is damaged",
                          path);
@@ -203,6 +207,11 @@ std::int64_t Statement::TakeInteger() {
   return sqlite3_column_int64(statement_, column_++);
 }
 
+std::int64_t SingleInteger(Database& database, const std::string& sql) {
+  Statement statement(database, sql);
+  return statement.With().Next() ? statement.TakeInteger() : 0;
+}
+
 int Statement::TakeInt() {
   const std::int64_t value = TakeInteger();
   return std::in_range<int>(value) ? static_cast<int>(value) : 0;
@@ -244,7 +253,7 @@ std::string Statement::ColumnName(int column) const {
   return sqlite3_column_name(statement_, column);
 }
 
-Database::Failure Database::Open(const std::string& path, Mode mode) {
+MaybeFailure Database::Open(const std::string& path, Mode mode) {
   Close();
   failure_.reset();
   path_ = path;
@@ -253,16 +262,17 @@ Database::Failure Database::Open(const std::string& path, Mode mode) {
   is_immutable_ = false;
   real_path_ = mode == Mode::kMemory ? "" : RealPath(path);
   if (mode != Mode::kMemory) {
-    if (Failure failure = CheckFile(path, mode == Mode::kWrite)) return failure;
+    if (MaybeFailure failure = CheckFile(path, mode == Mode::kWrite))
+      return failure;
     const std::string shown = PrintablePath(path);
     const std::optional<FileId> file = FileIdOf(real_path_);
     if (!file || !ConnectedFiles().contains(*file))
-      if (Failure failure = CheckCompanions(shown)) return failure;
-    if (Failure failure = CheckBeside(shown, mode == Mode::kWrite))
+      if (MaybeFailure failure = CheckCompanions(shown)) return failure;
+    if (MaybeFailure failure = CheckBeside(shown, mode == Mode::kWrite))
       return failure;
     file_ = file;
   }
-  if (Failure failure = Connect(mode)) {
+  if (MaybeFailure failure = Connect(mode)) {
     Close();
     return failure;
   }
@@ -270,7 +280,7 @@ Database::Failure Database::Open(const std::string& path, Mode mode) {
   return std::nullopt;
 }
 
-Database::Failure Database::Connect(Mode mode) {
+MaybeFailure Database::Connect(Mode mode) {
   is_immutable_ = is_reading_ && HasNoJournal(real_path_);
   if (is_immutable_) stamp_ = StampOf(path_);
   const std::string name = mode == Mode::kMemory ? ":memory:"
@@ -312,12 +322,11 @@ void Database::RememberPlace() {
   index_ = FileIdOf(real_path_ + "-shm");
 }
 
-Database::Failure Database::CheckInPlace() const {
+MaybeFailure Database::CheckInPlace() const {
   return CheckInPlace(file_);
 }
 
-Database::Failure Database::CheckInPlace(
-    const std::optional<FileId>& file) const {
+MaybeFailure Database::CheckInPlace(const std::optional<FileId>& file) const {
   const char* lost = FileIdOf(real_path_) != file                ? ""
                      : FileIdOf(real_path_ + "-wal") != journal_ ? "-wal"
                      : FileIdOf(real_path_ + "-shm") != index_   ? "-shm"
@@ -386,15 +395,16 @@ void Database::Check(int code) {
     failure_ = Explain(connection_, path_, code, last_error);
 }
 
-void Database::Fail(std::string failure) {
+void Database::Fail(MaybeFailure failure) {
   if (!failure_) failure_ = std::move(failure);
 }
 
-Database::Failure Database::TakeFailure() {
+MaybeFailure Database::TakeFailure() {
   // Somebody began to write meanwhile; what was read may be of two instants.
   if (is_immutable_ && StampOf(path_) != stamp_)
-    failure_ =
-        fmt::format("'{}' was changed while it was read: try again", path_);
+    failure_ = {
+        fmt::format("'{}' was changed while it was read: try again", path_),
+        Failure::Kind::kChanged};
   return std::exchange(failure_, std::nullopt);
 }
 
@@ -409,13 +419,13 @@ Transaction::~Transaction() {
 
 void Transaction::Undo() {
   is_open_ = false;
-  const Database::Failure failure = database_.TakeFailure();
+  const MaybeFailure failure = database_.TakeFailure();
   database_.Run("ROLLBACK");
   database_.TakeFailure();  // of full disks SQLite has rolled back itself
   if (failure) database_.Fail(*failure);
 }
 
-Database::Failure Transaction::Commit() {
+MaybeFailure Transaction::Commit() {
   database_.Run("COMMIT");
   if (database_.has_failed())
     Undo();

@@ -10,6 +10,7 @@
 #include <string>
 #include <string_view>
 
+#include "grammar/failure.h"
 #include "runtime/store/file_id.h"
 
 struct sqlite3;       // SQLite's own, as its header declares them
@@ -85,7 +86,6 @@ class Statement {
 
 class Database {
  public:
-  using Failure = std::optional<std::string>;
   enum class Mode : std::uint8_t {
     kMemory,   ///< no file, whatever the path: see Image
     kWrite,    ///< a file that exists
@@ -100,13 +100,13 @@ class Database {
 
   /// Refused is also what SQLite would use with the file and is not of it
   /// (companions.h), and to write to a file that has several names.
-  Failure Open(const std::string& path, Mode mode);
+  MaybeFailure Open(const std::string& path, Mode mode);
   /// All statements must be gone. In a child of a fork it does nothing: the
   /// file is the parent's.
   void Close();
   /// Whether what is written still goes to the file of this name: that neither
   /// it nor its journal was deleted, moved or replaced since it was opened.
-  Failure CheckInPlace() const;
+  MaybeFailure CheckInPlace() const;
   /// Of a database in memory: what a file would have in it, in WAL mode.
   std::string Image();
   bool is_open() const { return connection_ != nullptr; }
@@ -118,18 +118,18 @@ class Database {
   void Run(const std::string& sql);
   bool has_failed() const { return failure_.has_value(); }
   /// The first failure since the last call.
-  Failure TakeFailure();
+  MaybeFailure TakeFailure();
   /// As if SQLite had said it.
-  void Fail(std::string failure);
+  void Fail(MaybeFailure failure);
 
  private:
   friend class Statement;
   friend class Transaction;
   void Check(int code);
-  Failure Connect(Mode mode);
+  MaybeFailure Connect(Mode mode);
   void Prepare(Mode mode);
   void RememberPlace();
-  Failure CheckInPlace(const std::optional<FileId>& file) const;
+  MaybeFailure CheckInPlace(const std::optional<FileId>& file) const;
 
   sqlite3* connection_ = nullptr;
   std::string path_;
@@ -143,8 +143,11 @@ class Database {
   bool is_reading_ = false;
   bool is_immutable_ = false;  // SQLite takes the file for one that stays
   std::string stamp_;          // of a file that is taken so
-  Failure failure_;
+  MaybeFailure failure_;
 };
+
+/// The one integer that the statement asks for; 0 if there is no row.
+std::int64_t SingleInteger(Database& database, const std::string& sql);
 
 /// All that is written while it lives, or nothing; and all that is read is of
 /// one instant.
@@ -156,7 +159,7 @@ class Transaction {
   Transaction& operator=(const Transaction&) = delete;
 
   /// What went wrong since it began; then nothing of it was written.
-  Database::Failure Commit();
+  MaybeFailure Commit();
 
  private:
   void Undo();

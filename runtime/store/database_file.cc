@@ -15,8 +15,6 @@ namespace plsc {
 
 namespace {
 
-using Failure = std::optional<std::string>;
-
 /// 0, or the system's reason.
 int AccessError(const std::string& path, int rights) {
   return access(path.c_str(), rights) == 0 ? 0 : errno;
@@ -28,7 +26,7 @@ int FolderError(const std::string& path) {
 }
 
 /// What a writer needs beside the file.
-Failure CheckWriting(const std::string& shown) {
+MaybeFailure CheckWriting(const std::string& shown) {
   struct stat status {};
   if (stat(shown.c_str(), &status) == 0 && status.st_nlink > 1)
     return fmt::format(
@@ -44,7 +42,7 @@ Failure CheckWriting(const std::string& shown) {
 }
 
 /// What a reader needs beside the file.
-Failure CheckReading(const std::string& shown) {
+MaybeFailure CheckReading(const std::string& shown) {
   if (HasNoJournal(shown)) return std::nullopt;
   if (const int error = AccessError(shown + "-wal", R_OK))
     return fmt::format("cannot read '{}-wal', which has the newest of '{}': {}",
@@ -79,7 +77,7 @@ bool HasNoJournal(const std::string& path) {
   return access((path + "-wal").c_str(), F_OK) != 0;
 }
 
-Failure CheckFile(const std::string& path, bool is_writing) {
+MaybeFailure CheckFile(const std::string& path, bool is_writing) {
   // access, because to open and close the file would drop the locks of another
   // connection of this process.
   std::error_code error;
@@ -101,7 +99,7 @@ Failure CheckFile(const std::string& path, bool is_writing) {
   return std::nullopt;
 }
 
-Failure CheckBeside(const std::string& shown, bool is_writing) {
+MaybeFailure CheckBeside(const std::string& shown, bool is_writing) {
   return is_writing ? CheckWriting(shown) : CheckReading(shown);
 }
 

@@ -3,8 +3,9 @@
 // A database's file and its folder as the system sees them, before SQLite
 // opens it: of what is missing there SQLite would say less, or another thing.
 
-#include <optional>
 #include <string>
+
+#include "grammar/failure.h"
 
 namespace plsc {
 
@@ -20,10 +21,9 @@ std::string PrintablePath(const std::string& path);
 bool HasNoJournal(const std::string& path);
 
 /// That it is a file with something in it, and may be read, or written to.
-std::optional<std::string> CheckFile(const std::string& path, bool is_writing);
+MaybeFailure CheckFile(const std::string& path, bool is_writing);
 
 /// What is needed beside it, for the journal and its index.
-std::optional<std::string> CheckBeside(const std::string& shown,
-                                       bool is_writing);
+MaybeFailure CheckBeside(const std::string& shown, bool is_writing);
 
 }  // namespace plsc

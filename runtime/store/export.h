@@ -9,17 +9,17 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "grammar/failure.h"
 #include "runtime/store/run_store.h"
 
 namespace plsc {
 
 /// Takes the next piece of a file; what went wrong with it, or nothing.
-using Sink = std::function<std::optional<std::string>(std::string_view)>;
+using Sink = std::function<MaybeFailure(std::string_view)>;
 
 /// What tells whether a row of a table is whole: the number in its first cell.
 enum class CsvRows : std::uint8_t {
@@ -50,10 +50,10 @@ class CsvExport {
   CsvExport& operator=(const CsvExport&) = delete;
 
   /// What the run is must be whole. All tables are of this instant.
-  std::optional<std::string> Open(const std::string& run);
-  std::optional<std::string> Write(const CsvTable& table, const Sink& sink);
+  MaybeFailure Open(const std::string& run);
+  MaybeFailure Write(const CsvTable& table, const Sink& sink);
   /// What is wrong with the run; none of it is in any table.
-  const std::optional<std::string>& damage() const;
+  const MaybeFailure& damage() const;
 
  private:
   struct Parts;
@@ -63,6 +63,6 @@ class CsvExport {
 /// {"run": ...}, then an object an individual in order of id, {"individual":
 /// ...} with its seasons as `plsc simulate --format json` has them, then one a
 /// generation, {"generation": ...}. What is damaged is left out and told.
-std::optional<std::string> WriteJsonl(const std::string& run, const Sink& sink);
+MaybeFailure WriteJsonl(const std::string& run, const Sink& sink);
 
 }  // namespace plsc

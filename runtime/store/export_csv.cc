@@ -14,8 +14,6 @@ namespace plsc {
 
 namespace {
 
-using Failure = std::optional<std::string>;
-
 /// {"hot":"False"} as {"hot":false}.
 std::string TypedSenses(const std::string& text,
                         const std::vector<State>& states) {
@@ -30,7 +28,7 @@ std::string TypedSenses(const std::string& text,
                     nlohmann::ordered_json::error_handler_t::replace);
 }
 
-std::string Header(const Statement& rows) {
+std::string HeaderLine(const Statement& rows) {
   std::string line;
   for (int i = 0; i < rows.columns(); ++i) {
     if (i > 0) line += ',';
@@ -136,12 +134,12 @@ CsvExport::CsvExport() : parts_(std::make_unique<Parts>()) {}
 
 CsvExport::~CsvExport() = default;
 
-Failure CsvExport::Open(const std::string& run) {
+MaybeFailure CsvExport::Open(const std::string& run) {
   Database& database = parts_->database;
-  if (Failure failure = database.Open(run, Database::Mode::kRead))
+  if (MaybeFailure failure = database.Open(run, Database::Mode::kRead))
     return failure;
   parts_->instant.emplace(database);
-  if (Failure failure = CheckIdentity(database)) return failure;
+  if (MaybeFailure failure = CheckIdentity(database)) return failure;
   parts_->health = Examine(database);
   if (!parts_->health.is_run_whole) return parts_->health.problem;
   if (parts_->health.problem) parts_->FindRobots();
@@ -152,15 +150,15 @@ Failure CsvExport::Open(const std::string& run) {
   return database.TakeFailure();
 }
 
-const Failure& CsvExport::damage() const {
+const MaybeFailure& CsvExport::damage() const {
   return parts_->health.problem;
 }
 
-Failure CsvExport::Write(const CsvTable& table, const Sink& sink) {
+MaybeFailure CsvExport::Write(const CsvTable& table, const Sink& sink) {
   Database& database = parts_->database;
   Statement rows(database, table.sql);
-  if (Failure failure = database.TakeFailure()) return failure;
-  if (Failure failure = sink(Header(rows))) return failure;
+  if (MaybeFailure failure = database.TakeFailure()) return failure;
+  if (MaybeFailure failure = sink(HeaderLine(rows))) return failure;
   std::vector<std::string> columns;
   columns.reserve(static_cast<std::size_t>(rows.columns()));
   for (int i = 0; i < rows.columns(); ++i)
@@ -175,7 +173,7 @@ Failure CsvExport::Write(const CsvTable& table, const Sink& sink) {
       line += (line.empty() ? "" : ",") + cell;
     }
     if (!parts_->IsWhole(table.rows, first)) continue;
-    if (Failure failure = sink(line + "\r\n")) return failure;
+    if (MaybeFailure failure = sink(line + "\r\n")) return failure;
   }
   return database.TakeFailure();
 }

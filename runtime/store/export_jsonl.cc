@@ -16,11 +16,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string Dump(const Json& json) {
-  // What a damaged file has for a text may be no UTF-8.
-  return DumpJson(json);
-}
-
 std::string RunLine(const RunStore& store) {
   const Experiment& experiment = store.experiment();
   Json run;
@@ -38,7 +33,7 @@ std::string RunLine(const RunStore& store) {
   // With every constant of the physics, as text that reads back equal.
   run["experiment"] = PrintExperiment(experiment);
   run["scenario"] = PrintScenario(experiment.scenario);
-  return Dump({{"run", run}}) + "\n";
+  return DumpJson(Json{{"run", run}}) + "\n";
 }
 
 std::string IndividualLine(const Individual& one) {
@@ -48,7 +43,7 @@ std::string IndividualLine(const Individual& one) {
   json.update(
       HeritageJson(one.heritage, *one.genotype.alphabet, one.genotype.states));
   json["genotype"] = Print(one.genotype);
-  std::string text = Dump(json);
+  std::string text = DumpJson(json);
   text.pop_back();  // the closing brace: the seasons are still to come
   std::string seasons;
   for (const SeasonResult& season : one.evaluation.seasons) {
@@ -66,44 +61,41 @@ std::string GenerationLine(const GenerationRecord& record) {
   json["pool"] = record.pool;
   json["counts"] = record.counts;
   json["survivors"] = record.survivors;
-  return Dump(json) + "\n";
+  return DumpJson(json) + "\n";
 }
 
-Loaded<Health> HealthOf(const std::string& run) {
+Expected<Health, Failure> HealthOf(const std::string& run) {
   Database database;
-  if (auto failure = database.Open(run, Database::Mode::kRead))
-    return Loaded<Health>::Failed(*failure);
+  if (auto failure = database.Open(run, Database::Mode::kRead)) return *failure;
   const Transaction instant(database);
   Health health = Examine(database);
-  if (auto failure = database.TakeFailure())
-    return Loaded<Health>::Failed(*failure);
+  if (auto failure = database.TakeFailure()) return *failure;
   return health;
 }
 
 }  // namespace
 
-std::optional<std::string> WriteJsonl(const std::string& run,
-                                      const Sink& sink) {
+MaybeFailure WriteJsonl(const std::string& run, const Sink& sink) {
   RunStore store;
   if (auto failure = store.OpenForReading(run)) return failure;
-  const Loaded<Health> health = HealthOf(run);
-  if (!health) return health.failure();
+  const Expected<Health, Failure> health = HealthOf(run);
+  if (!health) return health.error();
   if (auto failure = sink(RunLine(store))) return failure;
   // What can be read of a damaged run is written; the rest is told at the end.
-  std::optional<std::string> damage = health->problem;
+  MaybeFailure damage = health->problem;
   for (const int id : health->births) {
     if (!health->evaluations.contains(id)) continue;
-    const Loaded<Individual> one = store.Find(id);
+    const Expected<Individual, Failure> one = store.Find(id);
     if (!one) {
-      if (!damage) damage = one.failure();
+      if (!damage) damage = one.error();
       continue;
     }
     if (auto failure = sink(IndividualLine(*one))) return failure;
   }
   for (const int number : health->generations) {
-    const Loaded<GenerationRecord> record = store.Generation(number);
+    const Expected<GenerationRecord, Failure> record = store.Generation(number);
     if (!record) {
-      if (!damage) damage = record.failure();
+      if (!damage) damage = record.error();
       continue;
     }
     if (auto failure = sink(GenerationLine(*record))) return failure;

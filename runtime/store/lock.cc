@@ -84,21 +84,21 @@ RunLock::~RunLock() {
   Release();
 }
 
-RunLock::Failure RunLock::Take(const std::string& run) {
+MaybeFailure RunLock::Take(const std::string& run) {
   Release();
   if (IsHeldHere(FileIdOf(run))) return InUse(run, getpid());
   while (true) {
     descriptor_ = open(run.c_str(), O_RDWR | O_CLOEXEC);
     if (descriptor_ < 0)
       return fmt::format("cannot open '{}': {}", run, SystemReason(errno));
-    if (Failure failure = Lock(run)) return failure;
+    if (MaybeFailure failure = Lock(run)) return failure;
     // It may have been replaced between the two calls.
     if (FileIdOf(run) == file_) return std::nullopt;
     Release();
   }
 }
 
-RunLock::Failure RunLock::TakeNew(const std::string& run, int descriptor) {
+MaybeFailure RunLock::TakeNew(const std::string& run, int descriptor) {
   Release();
   // Another descriptor of the same open file, whose the lock is.
   descriptor_ = fcntl(descriptor, F_DUPFD_CLOEXEC, 0);
@@ -107,7 +107,7 @@ RunLock::Failure RunLock::TakeNew(const std::string& run, int descriptor) {
   return Lock(run);
 }
 
-RunLock::Failure RunLock::Lock(const std::string& run) {
+MaybeFailure RunLock::Lock(const std::string& run) {
   struct flock bytes = BytesFor(getpid());
   while (fcntl(descriptor_, F_OFD_SETLK, &bytes) != 0) {
     const int error = errno;

@@ -8,14 +8,13 @@
 #include <optional>
 #include <string>
 
+#include "grammar/failure.h"
 #include "runtime/store/file_id.h"
 
 namespace plsc {
 
 class RunLock {
  public:
-  using Failure = std::optional<std::string>;
-
   RunLock() = default;
   ~RunLock();
   RunLock(const RunLock&) = delete;
@@ -24,10 +23,10 @@ class RunLock {
   /// What went wrong: "'run.sqlite' is in use by process 17 on host"; or
   /// nothing. This process must have no connection to the file yet: see
   /// Release.
-  Failure Take(const std::string& run);
+  MaybeFailure Take(const std::string& run);
   /// Of a file that has no name yet, by a descriptor of it, which stays the
   /// caller's.
-  Failure TakeNew(const std::string& run, int descriptor);
+  MaybeFailure TakeNew(const std::string& run, int descriptor);
   /// Connections to the file must be closed: to close any descriptor of a file
   /// drops the locks that SQLite has on it.
   void Release();
@@ -37,7 +36,7 @@ class RunLock {
   }
 
  private:
-  Failure Lock(const std::string& run);
+  MaybeFailure Lock(const std::string& run);
 
   int descriptor_ = -1;
   FileId file_;

@@ -4,9 +4,9 @@
 // given its name when it is whole.
 
 #include <functional>
-#include <optional>
 #include <string>
 
+#include "grammar/failure.h"
 #include "runtime/store/database.h"
 
 namespace plsc {
@@ -15,8 +15,8 @@ namespace plsc {
 /// beside which there is nothing that SQLite would take for its own. What went
 /// wrong, or nothing; then nothing was made. `prepare`, if given, gets the
 /// file's descriptor before the file has its name.
-std::optional<std::string> MakeDatabase(
+MaybeFailure MakeDatabase(
     const std::string& path, const std::function<void(Database&)>& fill,
-    const std::function<std::optional<std::string>(int)>& prepare = nullptr);
+    const std::function<MaybeFailure(int)>& prepare = nullptr);
 
 }  // namespace plsc

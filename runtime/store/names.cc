@@ -12,11 +12,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string Dump(const Json& json) {
-  // A text that is no UTF-8 would be an exception otherwise.
-  return DumpJson(json);
-}
-
 Json Parse(const std::string& text) {
   return Json::parse(text, nullptr, false);
 }
@@ -52,14 +47,14 @@ std::optional<Key> KeyOfHex(std::string_view digits) {
 std::string SensedText(const std::vector<SensedState>& sensed) {
   Json json = Json::object();
   for (const SensedState& state : sensed) json[state.name] = state.value;
-  return Dump(json);
+  return DumpJson(json);
 }
 
 std::string SourcesText(const std::vector<SensedState>& sensed) {
   Json json = Json::object();
   for (const SensedState& state : sensed)
     json[state.name] = NameIn(kSenseSourceNames, state.from);
-  return Dump(json);
+  return DumpJson(json);
 }
 
 std::optional<std::vector<SensedState>> SensedOf(const std::string& sensed,
@@ -83,7 +78,7 @@ std::string HeadsText(const std::vector<SymbolId>& heads,
                       const Alphabet& alphabet) {
   Json json = Json::array();
   for (const SymbolId head : heads) json.push_back(alphabet[head].name);
-  return Dump(json);
+  return DumpJson(json);
 }
 
 std::optional<std::vector<SymbolId>> HeadsOf(const std::string& text,
@@ -102,7 +97,7 @@ std::optional<std::vector<SymbolId>> HeadsOf(const std::string& text,
 std::string SensesText(const std::map<std::string, std::string>& senses) {
   Json json = Json::object();
   for (const auto& [name, value] : senses) json[name] = value;
-  return Dump(json);
+  return DumpJson(json);
 }
 
 std::optional<std::map<std::string, std::string>> SensesOf(

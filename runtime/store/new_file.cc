@@ -74,12 +74,12 @@ void NewFile::OpenNamed() {
   neighbour_.clear();
 }
 
-NewFile::Failure NewFile::failure() const {
+MaybeFailure NewFile::failure() const {
   if (error_ == 0) return std::nullopt;
   return fmt::format("cannot write to '{}': {}", path_, SystemReason(error_));
 }
 
-NewFile::Failure NewFile::Write(std::string_view text) {
+MaybeFailure NewFile::Write(std::string_view text) {
   pending_ += text;
   if (pending_.size() >= kBuffer) Flush();
   return failure();
@@ -116,7 +116,7 @@ void NewFile::Link(const std::string& name) {
   neighbour_.clear();
 }
 
-NewFile::Failure NewFile::Publish() {
+MaybeFailure NewFile::Publish() {
   Flush();
   if (error_ == 0 && fsync(descriptor_) != 0) error_ = errno;
   if (error_ == 0) Link(path_);
@@ -125,7 +125,7 @@ NewFile::Failure NewFile::Publish() {
   return failure();
 }
 
-NewFile::Failure NewFile::Replace() {
+MaybeFailure NewFile::Replace() {
   Flush();
   if (error_ == 0 && fsync(descriptor_) != 0) error_ = errno;
   if (error_ == 0 && neighbour_.empty()) {  // only what has a name replaces

@@ -6,16 +6,15 @@
 // that lies in the folder already is opened, followed, cut or deleted.
 
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <string_view>
+
+#include "grammar/failure.h"
 
 namespace plsc {
 
 class NewFile {
  public:
-  using Failure = std::optional<std::string>;
-
   enum class Until : std::uint8_t {
     kNameless,
     kNamed,  ///< for tests: as on file systems that know no nameless files
@@ -28,11 +27,11 @@ class NewFile {
 
   /// These return "cannot write to 'x': No space left on device", and then
   /// nothing is there that was not before.
-  Failure Write(std::string_view text);
+  MaybeFailure Write(std::string_view text);
   /// On the disk, under its name, which nothing may have yet.
-  Failure Publish();
+  MaybeFailure Publish();
   /// Likewise, in place of the file of that name; of a link the link itself.
-  Failure Replace();
+  MaybeFailure Replace();
 
   /// To be locked before it has a name. Closed with the object.
   int descriptor() const { return descriptor_; }
@@ -43,7 +42,7 @@ class NewFile {
   void Flush();
   void Link(const std::string& name);
   std::string Neighbour();
-  Failure failure() const;
+  MaybeFailure failure() const;
 
   std::string path_;
   std::string neighbour_;  // its name until it is whole; empty: it has none

@@ -27,12 +27,11 @@ void AppendTable(Database& database, const SchemaItem& table,
 
 }  // namespace
 
-Loaded<std::string> DumpResults(const std::string& path) {
-  using Dump = Loaded<std::string>;
+Expected<std::string, Failure> DumpResults(const std::string& path) {
   Database database;
   if (auto failure = database.Open(path, Database::Mode::kRead))
-    return Dump::Failed(*failure);
-  if (auto failure = CheckIdentity(database)) return Dump::Failed(*failure);
+    return *failure;
+  if (auto failure = CheckIdentity(database)) return *failure;
   std::string text;
   {
     const Transaction instant(database);
@@ -40,7 +39,7 @@ Loaded<std::string> DumpResults(const std::string& path) {
       if (item.kind == SchemaKind::kTable && item.is_result)
         AppendTable(database, item, text);
   }
-  if (auto failure = database.TakeFailure()) return Dump::Failed(*failure);
+  if (auto failure = database.TakeFailure()) return *failure;
   return text;
 }
 

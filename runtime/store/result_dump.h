@@ -6,12 +6,13 @@
 
 #include <string>
 
-#include "runtime/store/loaded.h"
+#include "grammar/expected.h"
+#include "grammar/failure.h"
 
 namespace plsc {
 
 /// A line a row, tables and rows in a fixed order, doubles in hexadecimal.
 /// Works on unfinished runs and while another process writes.
-Loaded<std::string> DumpResults(const std::string& path);
+Expected<std::string, Failure> DumpResults(const std::string& path);
 
 }  // namespace plsc

@@ -13,17 +13,6 @@
 
 namespace plsc {
 
-namespace {
-
-using Failure = RowChecks::Failure;
-
-std::int64_t Single(Database& database, const std::string& sql) {
-  Statement statement(database, sql);
-  return statement.With().Next() ? statement.TakeInteger() : 0;
-}
-
-}  // namespace
-
 IdSpan IdsBornIn(const Experiment& experiment, int generation) {
   if (generation == 0) return {1, experiment.population};
   const int first =
@@ -46,12 +35,12 @@ RowChecks::RowChecks(Database& database)
                  "(SELECT ifnull(max(number), -1) + 1 FROM generation), "
                  "(SELECT ifnull(max(generation), -1) + 1 FROM member)") {}
 
-Failure RowChecks::Wrong(const std::string& what) {
+MaybeFailure RowChecks::Wrong(const std::string& what) {
   if (database_.has_failed()) return database_.TakeFailure();
   return fmt::format("'{}' is damaged: {}", database_.path(), what);
 }
 
-Failure RowChecks::Run() {
+MaybeFailure RowChecks::Run() {
   Statement run(database_, "SELECT checksum FROM run");
   if (!run.With().Next()) return Wrong("it does not say what the run is");
   const std::int64_t sum = run.TakeInteger();
@@ -60,7 +49,7 @@ Failure RowChecks::Run() {
   return database_.TakeFailure();
 }
 
-Failure RowChecks::Birth(int id, std::optional<int> generation) {
+MaybeFailure RowChecks::Birth(int id, std::optional<int> generation) {
   if (!individual_.With(id).Next())
     return Wrong(fmt::format("robot {} is missing", id));
   const int born = individual_.TakeInt();
@@ -71,7 +60,7 @@ Failure RowChecks::Birth(int id, std::optional<int> generation) {
   return database_.TakeFailure();
 }
 
-Failure RowChecks::Evaluation(int id, int& seasons) {
+MaybeFailure RowChecks::Evaluation(int id, int& seasons) {
   std::map<int, std::int64_t> sums;
   evaluations_.With(id);
   while (evaluations_.Next()) {
@@ -86,7 +75,7 @@ Failure RowChecks::Evaluation(int id, int& seasons) {
   return database_.TakeFailure();
 }
 
-Failure RowChecks::Generation(int number) {
+MaybeFailure RowChecks::Generation(int number) {
   if (!generation_.With(number).Next())
     return Wrong(fmt::format("generation {} is missing", number));
   const std::int64_t sum = generation_.TakeInteger();
@@ -96,23 +85,23 @@ Failure RowChecks::Generation(int number) {
   return database_.TakeFailure();
 }
 
-Failure RowChecks::Robot(const Experiment& experiment, int id) {
+MaybeFailure RowChecks::Robot(const Experiment& experiment, int id) {
   const bool is_there = individual_.With(id).Next();
   individual_.Run();
   if (!is_there) {
-    if (Failure failure = Unborn(experiment, id)) return failure;
+    if (MaybeFailure failure = Unborn(experiment, id)) return failure;
     return fmt::format("'{}' has no robot {}", database_.path(), id);
   }
-  if (Failure failure = Birth(id)) return failure;
+  if (MaybeFailure failure = Birth(id)) return failure;
   int seasons = 0;
-  if (Failure failure = Evaluation(id, seasons)) return failure;
+  if (MaybeFailure failure = Evaluation(id, seasons)) return failure;
   if (seasons == 0) return Unevaluated(experiment, id);
   if (seasons != static_cast<int>(experiment.scenario.seasons.size()))
     return Wrong(fmt::format("robot {} lacks an evaluation", id));
   return std::nullopt;
 }
 
-Failure RowChecks::Completed(const Experiment& experiment) {
+MaybeFailure RowChecks::Completed(const Experiment& experiment) {
   if (!completed_.With().Next()) return database_.TakeFailure();
   const std::int64_t count = completed_.TakeInteger();
   const std::int64_t from_numbers = completed_.TakeInteger();
@@ -124,10 +113,10 @@ Failure RowChecks::Completed(const Experiment& experiment) {
   return database_.TakeFailure();
 }
 
-Failure RowChecks::Unborn(const Experiment& experiment, int id) {
-  if (Failure failure = Completed(experiment)) return failure;
-  const int completed =
-      static_cast<int>(Single(database_, "SELECT count(*) FROM generation"));
+MaybeFailure RowChecks::Unborn(const Experiment& experiment, int id) {
+  if (MaybeFailure failure = Completed(experiment)) return failure;
+  const int completed = static_cast<int>(
+      SingleInteger(database_, "SELECT count(*) FROM generation"));
   const int next = completed < experiment.generations ? completed : -1;
   const int last =
       completed > 0 ? IdsBornIn(experiment, completed - 1).last : 0;
@@ -137,21 +126,22 @@ Failure RowChecks::Unborn(const Experiment& experiment, int id) {
   const bool is_of_next = next >= 0 && id >= born.first && id <= born.last;
   if (is_of_completed ||
       (is_of_next &&
-       Single(database_, "SELECT ifnull(max(id), 0) FROM individual") > last))
+       SingleInteger(database_, "SELECT ifnull(max(id), 0) FROM individual") >
+           last))
     return Wrong(fmt::format("robot {} is missing", id));
   return is_of_next ? Pages("individual") : database_.TakeFailure();
 }
 
-Failure RowChecks::Unevaluated(const Experiment& experiment, int id) {
-  if (Failure failure = Completed(experiment)) return failure;
-  const int completed =
-      static_cast<int>(Single(database_, "SELECT count(*) FROM generation"));
+MaybeFailure RowChecks::Unevaluated(const Experiment& experiment, int id) {
+  if (MaybeFailure failure = Completed(experiment)) return failure;
+  const int completed = static_cast<int>(
+      SingleInteger(database_, "SELECT count(*) FROM generation"));
   if (completed > 0 && id <= IdsBornIn(experiment, completed - 1).last)
     return Wrong(fmt::format("robot {} lacks an evaluation", id));
   return Pages("evaluation");
 }
 
-Failure RowChecks::Pages(const char* table) {
+MaybeFailure RowChecks::Pages(const char* table) {
   Statement check(database_, fmt::format("PRAGMA integrity_check({})", table));
   if (!check.With().Next()) return database_.TakeFailure();
   const std::string said = check.TakeText();

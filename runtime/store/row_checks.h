@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "grammar/failure.h"
 #include "runtime/evolve/experiment.h"
 #include "runtime/store/checksum.h"
 #include "runtime/store/database.h"
@@ -21,31 +22,29 @@ IdSpan IdsBornIn(const Experiment& experiment, int generation);
 
 class RowChecks {
  public:
-  using Failure = Database::Failure;
-
   explicit RowChecks(Database& database);
 
   /// What the run is, with its constants.
-  Failure Run();
+  MaybeFailure Run();
   /// That a robot is there, as it was born, in that generation if one is named.
-  Failure Birth(int id, std::optional<int> generation = std::nullopt);
+  MaybeFailure Birth(int id, std::optional<int> generation = std::nullopt);
   /// Its seasons, as many as there are: how many is written to `seasons`.
-  Failure Evaluation(int id, int& seasons);
+  MaybeFailure Evaluation(int id, int& seasons);
   /// That it is completed, with its members.
-  Failure Generation(int number);
+  MaybeFailure Generation(int number);
 
   /// Birth and evaluation of a robot that is asked for; "has no robot 99" if
   /// there is none by right.
-  Failure Robot(const Experiment& experiment, int id);
+  MaybeFailure Robot(const Experiment& experiment, int id);
   /// That no completed generation is lost. Quick.
-  Failure Completed(const Experiment& experiment);
+  MaybeFailure Completed(const Experiment& experiment);
 
  private:
-  Failure Wrong(const std::string& what);
-  Failure Unborn(const Experiment& experiment, int id);
-  Failure Unevaluated(const Experiment& experiment, int id);
+  MaybeFailure Wrong(const std::string& what);
+  MaybeFailure Unborn(const Experiment& experiment, int id);
+  MaybeFailure Unevaluated(const Experiment& experiment, int id);
   /// That the pages of a table are whole: rows may be lost with a page.
-  Failure Pages(const char* table);
+  MaybeFailure Pages(const char* table);
 
   Database& database_;
   Checksums sums_;

@@ -1,3 +1,17 @@
+// What was written comes back as it was, every bit of it but the sign of 0: a
+// run is gone on with from here, and would otherwise end elsewhere than one
+// that was never stopped. A result is put together from the rows of evaluation,
+// phenotype, body and simulation, which others share.
+//
+// A store may be damaged, or edited by hand, in ways that SQLite does not see.
+// So no column is trusted to be what its type says: each reader has a flag
+// (is_damaged) for what it did not understand, and the robot that it is about
+// is told as a failure of the database. Readers read on to the end of the row
+// all the same, because columns are taken in order.
+//
+// Queries are prepared once, and each is run to its end, even where one row is
+// all there can be: an open one keeps others from writing.
+
 #include "runtime/store/run_reader.h"
 
 #include <fmt/format.h>

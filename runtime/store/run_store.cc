@@ -46,15 +46,13 @@ namespace plsc {
 
 namespace {
 
-using Failure = std::optional<std::string>;
-
 std::string HostName() {
   std::array<char, 256> name{};
   if (gethostname(name.data(), name.size() - 1) != 0) return "";
   return name.data();
 }
 
-Failure CheckAbsent(const std::string& path) {
+MaybeFailure CheckAbsent(const std::string& path) {
   std::error_code error;
   const auto status = std::filesystem::symlink_status(path, error);
   if (std::filesystem::exists(status))
@@ -99,26 +97,27 @@ struct RunStore::Parts {
   bool is_new = false;       // made by this object
   bool is_lost = false;      // not where it was any more
 
-  Failure Connect(Database::Mode mode);
-  Failure ReadRun();
+  MaybeFailure Connect(Database::Mode mode);
+  MaybeFailure ReadRun();
   /// That what is written goes into the file of this name.
-  Failure CheckInPlace();
+  MaybeFailure CheckInPlace();
   /// Of everything since the last failure that was reported.
   template <typename T>
-  Loaded<T> OrFailure(T value) {
-    if (Failure failure = database.TakeFailure())
-      return Loaded<T>::Failed(std::move(*failure));
+  Expected<T, Failure> OrFailure(T value) {
+    if (MaybeFailure failure = database.TakeFailure())
+      return std::move(*failure);
     return value;
   }
   std::vector<Ancestor> FindLineage(int id, int distance);
 };
 
-Failure RunStore::Parts::Connect(Database::Mode mode) {
-  if (Failure failure = database.Open(path, mode)) return failure;
-  if (Failure failure = CheckIdentity(database)) return failure;
+MaybeFailure RunStore::Parts::Connect(Database::Mode mode) {
+  if (MaybeFailure failure = database.Open(path, mode)) return failure;
+  if (MaybeFailure failure = CheckIdentity(database)) return failure;
   if (mode != Database::Mode::kRead)
-    if (Failure failure = CheckNothingAdded(database, Schema())) return failure;
-  if (Failure failure = ReadRun()) return failure;
+    if (MaybeFailure failure = CheckNothingAdded(database, Schema()))
+      return failure;
+  if (MaybeFailure failure = ReadRun()) return failure;
   reader = std::make_unique<RunReader>(database);
   checks = std::make_unique<RowChecks>(database);
   if (mode != Database::Mode::kRead)
@@ -127,17 +126,17 @@ Failure RunStore::Parts::Connect(Database::Mode mode) {
   return database.TakeFailure();
 }
 
-Failure RunStore::Parts::CheckInPlace() {
-  Failure failure = database.CheckInPlace();
+MaybeFailure RunStore::Parts::CheckInPlace() {
+  MaybeFailure failure = database.CheckInPlace();
   is_lost = is_lost || failure;
   return failure;
 }
 
-Failure RunStore::Parts::ReadRun() {
+MaybeFailure RunStore::Parts::ReadRun() {
   Statement run(database,
                 "SELECT plsc, ode, compiler, machine, experiment FROM run");
   if (!run.With().Next()) {
-    if (Failure failure = database.TakeFailure()) return failure;
+    if (MaybeFailure failure = database.TakeFailure()) return failure;
     return fmt::format("'{}' is damaged: it does not say what the run is",
                        path);
   }
@@ -159,31 +158,32 @@ RunStore::~RunStore() {
   Close();
 }
 
-Failure RunStore::Create(const std::string& path, const Experiment& experiment,
-                         const std::optional<Versions>& versions) {
+MaybeFailure RunStore::Create(const std::string& path,
+                              const Experiment& experiment,
+                              const std::optional<Versions>& versions) {
   parts_ = std::make_unique<Parts>();
   parts_->path = path;
-  if (Failure failure = CheckAbsent(path)) return failure;
-  Failure failure = CreateStoreFile(
+  if (MaybeFailure failure = CheckAbsent(path)) return failure;
+  MaybeFailure failure = CreateStoreFile(
       path, experiment, versions.value_or(ThisProgram()), parts_->lock);
   // Another process may have made it since we looked.
   if (failure)
-    if (Failure exists = CheckAbsent(path)) failure = std::move(exists);
+    if (MaybeFailure exists = CheckAbsent(path)) failure = std::move(exists);
   parts_->is_new = !failure;
   if (!failure) failure = parts_->Connect(Database::Mode::kWrite);
   if (failure) Discard();
   return failure;
 }
 
-Failure RunStore::CheckCreate(const std::string& path) {
+MaybeFailure RunStore::CheckCreate(const std::string& path) {
   return CheckAbsent(path);
 }
 
-Failure RunStore::Open(const std::string& path, bool any_version) {
+MaybeFailure RunStore::Open(const std::string& path, bool any_version) {
   parts_ = std::make_unique<Parts>();
   parts_->path = path;
   // What is no file at all is not worth a lock.
-  Failure failure = parts_->Connect(Database::Mode::kRead);
+  MaybeFailure failure = parts_->Connect(Database::Mode::kRead);
   const Versions versions = parts_->versions;
   parts_ = std::make_unique<Parts>();
   parts_->path = path;
@@ -195,10 +195,10 @@ Failure RunStore::Open(const std::string& path, bool any_version) {
   return failure;
 }
 
-Failure RunStore::OpenForReading(const std::string& path) {
+MaybeFailure RunStore::OpenForReading(const std::string& path) {
   parts_ = std::make_unique<Parts>();
   parts_->path = path;
-  Failure failure = parts_->Connect(Database::Mode::kRead);
+  MaybeFailure failure = parts_->Connect(Database::Mode::kRead);
   if (!failure) failure = parts_->checks->Run();
   if (failure) parts_ = std::make_unique<Parts>();
   return failure;
@@ -216,16 +216,16 @@ void RunStore::Discard() {
   parts_ = std::make_unique<Parts>();
 }
 
-Failure RunStore::Close() {
+MaybeFailure RunStore::Close() {
   Parts& parts = *parts_;
-  Failure failure = parts.database.TakeFailure();
+  MaybeFailure failure = parts.database.TakeFailure();
   // The journal goes into the file now and not at some later opening, so that
   // the file alone is the run.
   if (parts.writer && !failure && parts.database.is_own()) {
     // Passive: whoever reads for long is not waited for.
     parts.database.Run("PRAGMA wal_checkpoint(PASSIVE)");
     failure = parts.database.TakeFailure();
-    if (Failure lost = parts.CheckInPlace()) failure = std::move(lost);
+    if (MaybeFailure lost = parts.CheckInPlace()) failure = std::move(lost);
   }
   parts.writer.reset();
   parts.checks.reset();
@@ -251,7 +251,7 @@ const Versions& RunStore::versions() const {
   return parts_->versions;
 }
 
-Loaded<SavedRun> RunStore::Load() {
+Expected<SavedRun, Failure> RunStore::Load() {
   assert(parts_->reader);
   RunReader& reader = *parts_->reader;
   const Transaction instant(parts_->database);
@@ -286,17 +286,18 @@ Loaded<SavedRun> RunStore::Load() {
   return parts_->OrFailure(std::move(saved));
 }
 
-Loaded<RunStatus> RunStore::Status() {
+Expected<RunStatus, Failure> RunStore::Status() {
   assert(parts_->reader);
   RunReader& reader = *parts_->reader;
   const Transaction instant(parts_->database);
   RunStatus status;
-  if (Failure failure = parts_->checks->Completed(experiment()))
-    return Loaded<RunStatus>::Failed(*failure);
+  if (MaybeFailure failure = parts_->checks->Completed(experiment()))
+    return *failure;
   status.generations = reader.Generations();
   if (status.generations > 0)
-    if (Failure failure = parts_->checks->Generation(status.generations - 1))
-      return Loaded<RunStatus>::Failed(*failure);
+    if (MaybeFailure failure =
+            parts_->checks->Generation(status.generations - 1))
+      return *failure;
   status.evaluations = reader.Evaluations();
   if (status.generations > 0)
     if (const auto last = reader.FindGeneration(status.generations - 1))
@@ -305,35 +306,34 @@ Loaded<RunStatus> RunStore::Status() {
   return parts_->OrFailure(status);
 }
 
-Loaded<Individual> RunStore::Find(int id) {
+Expected<Individual, Failure> RunStore::Find(int id) {
   assert(parts_->reader);
   const Transaction instant(parts_->database);
-  if (Failure failure = parts_->checks->Robot(experiment(), id))
-    return Loaded<Individual>::Failed(*failure);
+  if (MaybeFailure failure = parts_->checks->Robot(experiment(), id))
+    return *failure;
   return parts_->OrFailure(parts_->reader->FindIndividual(id));
 }
 
-Loaded<int> RunStore::Born() {
+Expected<int, Failure> RunStore::Born() {
   assert(parts_->reader);
   Statement last(parts_->database, "SELECT max(id) FROM individual");
   return parts_->OrFailure(last.With().Next() ? last.TakeInt() : 0);
 }
 
-Loaded<GenerationRecord> RunStore::Generation(int number) {
+Expected<GenerationRecord, Failure> RunStore::Generation(int number) {
   assert(parts_->reader);
   const Transaction instant(parts_->database);
-  const auto failed = Loaded<GenerationRecord>::Failed;
-  if (Failure failure = parts_->checks->Completed(experiment()))
-    return failed(*failure);
+  if (MaybeFailure failure = parts_->checks->Completed(experiment()))
+    return *failure;
   if (number < 0 || number >= parts_->reader->Generations())
-    return failed(fmt::format("'{}' has no generation {}", path(), number));
-  if (Failure failure = parts_->checks->Generation(number))
-    return failed(*failure);
+    return Failure(fmt::format("'{}' has no generation {}", path(), number));
+  if (MaybeFailure failure = parts_->checks->Generation(number))
+    return *failure;
   auto record = parts_->reader->FindGeneration(number);
   return parts_->OrFailure(std::move(record).value_or(GenerationRecord{}));
 }
 
-Loaded<std::vector<int>> RunStore::EvaluatedIds() {
+Expected<std::vector<int>, Failure> RunStore::EvaluatedIds() {
   assert(parts_->reader);
   const Transaction instant(parts_->database);
   std::vector<int> ids;
@@ -343,11 +343,11 @@ Loaded<std::vector<int>> RunStore::EvaluatedIds() {
   return parts_->OrFailure(ids);
 }
 
-Loaded<std::vector<SeasonEvidence>> RunStore::EvidenceOf(int id) {
+Expected<std::vector<SeasonEvidence>, Failure> RunStore::EvidenceOf(int id) {
   assert(parts_->reader);
   const Transaction instant(parts_->database);
-  if (Failure failure = parts_->checks->Robot(experiment(), id))
-    return Loaded<std::vector<SeasonEvidence>>::Failed(*failure);
+  if (MaybeFailure failure = parts_->checks->Robot(experiment(), id))
+    return *failure;
   return parts_->OrFailure(parts_->reader->FindEvidence(id));
 }
 
@@ -359,7 +359,7 @@ std::vector<Ancestor> RunStore::Parts::FindLineage(int id, int distance) {
   for (int d = 0; d <= distance && !level.empty(); ++d) {
     std::set<int> parents;
     for (const int one : level) {
-      Failure failure = checks->Robot(experiment, one);
+      MaybeFailure failure = checks->Robot(experiment, one);
       std::optional<Birth> birth;
       if (!failure) birth = reader->FindBirth(one);
       if (!birth) {
@@ -376,12 +376,13 @@ std::vector<Ancestor> RunStore::Parts::FindLineage(int id, int distance) {
   return lineage;
 }
 
-Loaded<std::vector<Ancestor>> RunStore::Lineage(int id, int distance) {
+Expected<std::vector<Ancestor>, Failure> RunStore::Lineage(int id,
+                                                           int distance) {
   assert(parts_->reader);
   return parts_->OrFailure(parts_->FindLineage(id, distance));
 }
 
-Failure RunStore::BeginSession(const SessionStart& start) {
+MaybeFailure RunStore::BeginSession(const SessionStart& start) {
   assert(parts_->writer);
   Database& database = parts_->database;
   const Versions versions = ThisProgram();
@@ -397,7 +398,7 @@ Failure RunStore::BeginSession(const SessionStart& start) {
   return database.TakeFailure();
 }
 
-Failure RunStore::EndSession(const SessionEnd& end) {
+MaybeFailure RunStore::EndSession(const SessionEnd& end) {
   assert(parts_->writer);
   Statement update(parts_->database,
                    "UPDATE session SET ended = ?, how = ?, workers = ?, "
@@ -410,23 +411,23 @@ Failure RunStore::EndSession(const SessionEnd& end) {
   return parts_->database.TakeFailure();
 }
 
-Failure RunStore::OnBirths(const std::vector<Individual>& born,
-                           const std::function<bool()>& should_stop) {
+MaybeFailure RunStore::OnBirths(const std::vector<Individual>& born,
+                                const std::function<bool()>& should_stop) {
   assert(parts_->writer);
-  if (Failure failure = parts_->CheckInPlace()) return failure;
+  if (MaybeFailure failure = parts_->CheckInPlace()) return failure;
   return parts_->writer->Births(born, should_stop);
 }
 
-Failure RunStore::OnEvaluated(const Individual& one,
-                              const std::vector<SeasonEvidence>& evidence) {
+MaybeFailure RunStore::OnEvaluated(
+    const Individual& one, const std::vector<SeasonEvidence>& evidence) {
   assert(parts_->writer);
-  if (Failure failure = parts_->CheckInPlace()) return failure;
+  if (MaybeFailure failure = parts_->CheckInPlace()) return failure;
   return parts_->writer->Evaluated(one, evidence);
 }
 
-Failure RunStore::OnGeneration(const GenerationRecord& record) {
+MaybeFailure RunStore::OnGeneration(const GenerationRecord& record) {
   assert(parts_->writer);
-  if (Failure failure = parts_->CheckInPlace()) return failure;
+  if (MaybeFailure failure = parts_->CheckInPlace()) return failure;
   return parts_->writer->Completed(record);
 }
 
@@ -438,7 +439,7 @@ std::optional<Simulated> RunStore::Find(const Key& key) {
   return found;
 }
 
-Failure RunStore::Add(const Key&, const Simulated&) {
+MaybeFailure RunStore::Add(const Key&, const Simulated&) {
   return std::nullopt;
 }
 

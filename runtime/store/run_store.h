@@ -14,12 +14,13 @@
 #include <string>
 #include <vector>
 
+#include "grammar/expected.h"
+#include "grammar/failure.h"
 #include "runtime/evolve/experiment.h"
 #include "runtime/evolve/run_observer.h"
 #include "runtime/evolve/saved_run.h"
 #include "runtime/evolve/simulation_cache.h"
 #include "runtime/life/simulated.h"
-#include "runtime/store/loaded.h"
 #include "runtime/store/session.h"
 #include "runtime/store/versions.h"
 
@@ -52,23 +53,23 @@ class RunStore : public RunObserver, public SimulationCache {
   RunStore& operator=(const RunStore&) = delete;
 
   /// What would keep Create from it, as far as can be told without making it.
-  static Failure CheckCreate(const std::string& path);
+  static MaybeFailure CheckCreate(const std::string& path);
   /// Makes the file, which must not exist, for writing. `versions` default to
   /// those of this program; others are for tests.
-  Failure Create(const std::string& path, const Experiment& experiment,
-                 const std::optional<Versions>& versions = std::nullopt);
+  MaybeFailure Create(const std::string& path, const Experiment& experiment,
+                      const std::optional<Versions>& versions = std::nullopt);
   /// For going on with a run: everything is checked first, and a store that is
   /// damaged, or that another process works on, is refused unchanged. So is
   /// one that another program or kind of machine began, unless `any_version`:
   /// its results may then be those of no single program.
-  Failure Open(const std::string& path, bool any_version = false);
+  MaybeFailure Open(const std::string& path, bool any_version = false);
   /// Changes nothing, and works while another process writes. What the run is
   /// must be what was written; robots and generations are compared with their
   /// checksums when they are read, and fail then.
-  Failure OpenForReading(const std::string& path);
+  MaybeFailure OpenForReading(const std::string& path);
   /// Ends the work on it; the only way to learn that the last writes failed.
   /// The destructor does the same in silence.
-  Failure Close();
+  MaybeFailure Close();
   /// Ends the work on it as if it had never begun: what Create made is deleted.
   void Discard();
   /// The file was deleted, moved or replaced while it was written to, which
@@ -83,36 +84,37 @@ class RunStore : public RunObserver, public SimulationCache {
   /// All of this is empty in a run that was created and left at once. Those of
   /// the generation under way whose workers died are as not evaluated yet:
   /// OnEvaluated replaces them.
-  Loaded<SavedRun> Load();
-  Loaded<RunStatus> Status();
+  Expected<SavedRun, Failure> Load();
+  Expected<RunStatus, Failure> Status();
   /// With its evaluation, if it has one, every field as it was, bit for bit
   /// (but that -0 became 0).
-  Loaded<Individual> Find(int id);
+  Expected<Individual, Failure> Find(int id);
   /// Individuals, from id 1 to this.
-  Loaded<int> Born();
-  Loaded<GenerationRecord> Generation(int number);
+  Expected<int, Failure> Born();
+  Expected<GenerationRecord, Failure> Generation(int number);
   /// Everybody who was evaluated, in order of id.
-  Loaded<std::vector<int>> EvaluatedIds();
+  Expected<std::vector<int>, Failure> EvaluatedIds();
   /// Those behind Find(id).evaluation: keys, body and brain.
-  Loaded<std::vector<SeasonEvidence>> EvidenceOf(int id);
+  Expected<std::vector<SeasonEvidence>, Failure> EvidenceOf(int id);
   /// `id` itself, its parents, theirs ... up to `distance` births away: by
   /// distance, then by id, everybody once.
-  Loaded<std::vector<Ancestor>> Lineage(int id, int distance);
+  Expected<std::vector<Ancestor>, Failure> Lineage(int id, int distance);
 
   /// A row of the table `session`, until EndSession as one that was killed.
-  Failure BeginSession(const SessionStart& start);
-  Failure EndSession(const SessionEnd& end);
+  MaybeFailure BeginSession(const SessionStart& start);
+  MaybeFailure EndSession(const SessionEnd& end);
 
-  Failure OnBirths(const std::vector<Individual>& born,
-                   const std::function<bool()>& should_stop) override;
-  Failure OnEvaluated(const Individual& one,
-                      const std::vector<SeasonEvidence>& evidence) override;
-  Failure OnGeneration(const GenerationRecord& record) override;
+  MaybeFailure OnBirths(const std::vector<Individual>& born,
+                        const std::function<bool()>& should_stop) override;
+  MaybeFailure OnEvaluated(
+      const Individual& one,
+      const std::vector<SeasonEvidence>& evidence) override;
+  MaybeFailure OnGeneration(const GenerationRecord& record) override;
 
   /// Never one whose worker died, nor of a store that cannot be read.
   std::optional<Simulated> Find(const Key& key) override;
   /// Nothing: OnEvaluated has what there is to store.
-  Failure Add(const Key& key, const Simulated& simulated) override;
+  MaybeFailure Add(const Key& key, const Simulated& simulated) override;
 
  private:
   struct Parts;

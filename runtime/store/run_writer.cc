@@ -104,7 +104,8 @@ bool HasPhenotype(const SeasonEvidence& evidence) {
 }
 
 /// Whether all that is stored with the phenotype and the simulation is what
-/// the result has.
+/// the result has. A result that says more could not be stored: readers take
+/// what it measured from those rows, and it would come back as another.
 bool Explains(const SeasonEvidence& evidence, const SeasonResult& result) {
   Simulated simulated;
   if (HasSimulation(result, evidence)) simulated = evidence.simulated;
@@ -123,6 +124,8 @@ std::optional<std::string> HexOf(const Key& key, bool is_there) {
   return Hex(key);
 }
 
+// Finds a rule by an index of numbers instead of texts; the text is compared as
+// well, so that equal hashes cost time and no rule.
 std::int64_t HashOf(const std::string& text) {
   return static_cast<std::int64_t>(KeyOf(text).low);
 }
@@ -187,8 +190,8 @@ RunWriter::RunWriter(Database& database, RunReader& reader,
       member_(database, Insert("member", {"generation", "individual", "place",
                                           "count", "survivor"})) {}
 
-RunWriter::Failure RunWriter::Births(const std::vector<Individual>& born,
-                                     const std::function<bool()>& should_stop) {
+MaybeFailure RunWriter::Births(const std::vector<Individual>& born,
+                               const std::function<bool()>& should_stop) {
   Transaction transaction(database_);
   for (const Individual& one : born) {
     if (should_stop && should_stop()) return std::nullopt;
@@ -246,8 +249,8 @@ void RunWriter::AddIndividual(const Individual& one) {
   sum_individual_.With(checksums_.OfIndividual(one.id), one.id).Run();
 }
 
-RunWriter::Failure RunWriter::Evaluated(
-    const Individual& one, const std::vector<SeasonEvidence>& evidence) {
+MaybeFailure RunWriter::Evaluated(const Individual& one,
+                                  const std::vector<SeasonEvidence>& evidence) {
   Transaction transaction(database_);
   // A resumed run tries again what a worker died of; only such evaluations may
   // be replaced.
@@ -295,6 +298,7 @@ void RunWriter::AddPhenotype(const SeasonResult& result,
     find_phenotype_.Run();
     return;
   }
+  // The body may be there with another brain, and then nothing is inserted.
   const std::string body = Hex(KeyOf(evidence.body));
   const std::string packed_body = Pack(evidence.body);
   body_.With(body, packed_body);
@@ -334,8 +338,10 @@ void RunWriter::AddSimulation(const SeasonEvidence& evidence) {
 }
 
 // All of the pool, not only who survived: how selection went can be seen later.
-RunWriter::Failure RunWriter::Completed(const GenerationRecord& record) {
+MaybeFailure RunWriter::Completed(const GenerationRecord& record) {
   Transaction transaction(database_);
+  // The order of survivors is part of what a run goes on from: tournaments draw
+  // places in it.
   std::map<int, std::int64_t> ranks;
   for (const int id : record.survivors)
     ranks.emplace(id, static_cast<std::int64_t>(ranks.size()));

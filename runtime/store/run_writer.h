@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "grammar/failure.h"
 #include "runtime/evolve/run_observer.h"
 #include "runtime/store/checksum.h"
 #include "runtime/store/database.h"
@@ -20,20 +21,18 @@ struct Versions;
 
 class RunWriter {
  public:
-  using Failure = Database::Failure;
-
   /// Seasons by name: their ids in the store. `reader` of the same database.
   RunWriter(Database& database, RunReader& reader,
             std::map<std::string, int> seasons);
 
   /// Those that are there already must be the same. Writes nothing if
   /// `should_stop` (RunObserver::OnBirths) says so meanwhile.
-  Failure Births(const std::vector<Individual>& born,
-                 const std::function<bool()>& should_stop);
+  MaybeFailure Births(const std::vector<Individual>& born,
+                      const std::function<bool()>& should_stop);
   /// In the place of what is there only if a worker had died of it.
-  Failure Evaluated(const Individual& one,
-                    const std::vector<SeasonEvidence>& evidence);
-  Failure Completed(const GenerationRecord& record);
+  MaybeFailure Evaluated(const Individual& one,
+                         const std::vector<SeasonEvidence>& evidence);
+  MaybeFailure Completed(const GenerationRecord& record);
 
  private:
   void AddIndividual(const Individual& one);

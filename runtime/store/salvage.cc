@@ -33,11 +33,11 @@ std::vector<std::int64_t> SumsOf(Statement& statement, int id) {
 
 }  // namespace
 
-Salvage::Failure Salvage::Open(const std::string& path) {
+MaybeFailure Salvage::Open(const std::string& path) {
   Database database;
-  if (Failure failure = database.Open(path, Database::Mode::kSalvage))
+  if (MaybeFailure failure = database.Open(path, Database::Mode::kSalvage))
     return failure;
-  if (Failure failure = CheckIdentity(database)) return failure;
+  if (MaybeFailure failure = CheckIdentity(database)) return failure;
   Checksums checksums(database);
   {
     Statement run(database,
@@ -59,7 +59,7 @@ Salvage::Failure Salvage::Open(const std::string& path) {
                        "SELECT checksum FROM evaluation WHERE individual = ? "
                        "ORDER BY season");
   RunReader reader(database);
-  if (Failure failure = database.TakeFailure()) return failure;
+  if (MaybeFailure failure = database.TakeFailure()) return failure;
   // One by one, because a damaged page ends every query that meets it. Without
   // an experiment the end is not known; then as many as a run can have.
   const std::int64_t last =
@@ -87,8 +87,7 @@ std::optional<Simulated> Salvage::Find(const Key& key) {
   return found->second;
 }
 
-Salvage::Failure Salvage::Add(const Key& /*key*/,
-                              const Simulated& /*simulated*/) {
+MaybeFailure Salvage::Add(const Key& /*key*/, const Simulated& /*simulated*/) {
   return std::nullopt;
 }
 

@@ -10,6 +10,7 @@
 #include <optional>
 #include <string>
 
+#include "grammar/failure.h"
 #include "runtime/evolve/experiment.h"
 #include "runtime/evolve/simulation_cache.h"
 #include "runtime/life/simulated.h"
@@ -19,10 +20,8 @@ namespace plsc {
 
 class Salvage : public SimulationCache {
  public:
-  using Failure = std::optional<std::string>;
-
   /// Reads all there is. Why it is of no use at all, or nothing.
-  Failure Open(const std::string& path);
+  MaybeFailure Open(const std::string& path);
 
   /// What the run is and who began it, if that can be trusted.
   const std::optional<Experiment>& experiment() const { return experiment_; }
@@ -32,7 +31,7 @@ class Salvage : public SimulationCache {
 
   std::optional<Simulated> Find(const Key& key) override;
   /// Nothing: it is read only.
-  Failure Add(const Key& key, const Simulated& simulated) override;
+  MaybeFailure Add(const Key& key, const Simulated& simulated) override;
 
  private:
   std::map<Key, Simulated> known_;

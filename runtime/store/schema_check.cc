@@ -23,8 +23,8 @@ const char* WordOf(SchemaKind kind) {
 
 }  // namespace
 
-std::optional<std::string> CheckNothingAdded(
-    Database& database, const std::vector<SchemaItem>& known) {
+MaybeFailure CheckNothingAdded(Database& database,
+                               const std::vector<SchemaItem>& known) {
   Statement objects(database, "SELECT type, name, sql FROM sqlite_master");
   objects.With();
   while (objects.Next()) {

@@ -135,31 +135,32 @@ SharedCache::~SharedCache() {
   database_.Close();
 }
 
-SharedCache::Failure SharedCache::Open(const std::string& path,
-                                       const std::string& engine) {
-  Failure failure = OpenFile(path, engine);
+MaybeFailure SharedCache::Open(const std::string& path,
+                               const std::string& engine) {
+  MaybeFailure failure = OpenFile(path, engine);
   if (failure) Discard();
   return failure;
 }
 
-SharedCache::Failure SharedCache::OpenFile(const std::string& path,
-                                           const std::string& engine) {
+MaybeFailure SharedCache::OpenFile(const std::string& path,
+                                   const std::string& engine) {
   std::error_code error;
   if (!std::filesystem::exists(std::filesystem::symlink_status(path, error))) {
-    Failure failure = MakeDatabase(path, AddTables);
+    MaybeFailure failure = MakeDatabase(path, AddTables);
     is_new_ = !failure;
     // Another process may have made it meanwhile.
     if (failure && !std::filesystem::exists(path, error)) return failure;
   }
-  if (Failure failure = database_.Open(path, Database::Mode::kWrite))
+  if (MaybeFailure failure = database_.Open(path, Database::Mode::kWrite))
     return failure;
   const int application = NumberOf(database_, "application_id");
   const int format = NumberOf(database_, "user_version");
-  if (Failure failure = database_.TakeFailure()) return failure;
+  if (MaybeFailure failure = database_.TakeFailure()) return failure;
   if (application != kApplication)
     return fmt::format("'{}' is no cache of plsc", path);
   if (format != kFormat) return WrongFormat(path, format);
-  if (Failure failure = CheckNothingAdded(database_, Tables())) return failure;
+  if (MaybeFailure failure = CheckNothingAdded(database_, Tables()))
+    return failure;
   database_.Run(kSetUp);
   {
     Transaction transaction(database_);
@@ -168,20 +169,20 @@ SharedCache::Failure SharedCache::OpenFile(const std::string& path,
         .Run();
     Statement number(database_, "SELECT id FROM engine WHERE text = ?");
     if (number.With(engine).Next()) engine_id_ = number.TakeInteger();
-    if (Failure failure = transaction.Commit()) return failure;
+    if (MaybeFailure failure = transaction.Commit()) return failure;
   }
   engine_ = engine;
   statements_ = std::make_unique<Statements>(database_);
   return database_.TakeFailure();
 }
 
-SharedCache::Failure SharedCache::warning() const {
+MaybeFailure SharedCache::warning() const {
   if (damaged_ == 0) return gone_;
   std::string text = fmt::format(
       "{} of the cache '{}' {} damaged, dropped and simulated anew",
       damaged_ == 1 ? "an entry" : fmt::format("{} entries", damaged_),
       database_.path(), damaged_ == 1 ? "was" : "were");
-  if (gone_) text += "; " + *gone_;
+  if (gone_) text += "; " + gone_->text;
   return text;
 }
 
@@ -195,10 +196,10 @@ void SharedCache::Discard() {
 }
 
 void SharedCache::Check() {
-  Failure failure = database_.TakeFailure();
+  MaybeFailure failure = database_.TakeFailure();
   if (!failure) failure = database_.CheckInPlace();
   if (!failure) return;
-  gone_ = fmt::format("the cache is not used any more: {}", *failure);
+  gone_ = fmt::format("the cache is not used any more: {}", failure->text);
 }
 
 std::optional<Simulated> SharedCache::TakeEntry(const std::string& key) {
@@ -207,7 +208,7 @@ std::optional<Simulated> SharedCache::TakeEntry(const std::string& key) {
     return std::nullopt;
   const auto bytes = FromHex(value);
   if (!bytes) return std::nullopt;
-  auto simulated = Unpack(*bytes);
+  auto simulated = UnpackSimulated(*bytes);
   if (!simulated || simulated->size() != 1) return std::nullopt;
   return std::move(simulated->front());
 }
@@ -230,11 +231,10 @@ std::optional<Simulated> SharedCache::Find(const Key& key) {
   return found;
 }
 
-SharedCache::Failure SharedCache::Add(const Key& key,
-                                      const Simulated& simulated) {
+MaybeFailure SharedCache::Add(const Key& key, const Simulated& simulated) {
   if (gone_) return std::nullopt;
   const std::string digits = Hex(key);
-  const std::string value = ToHex(Pack({simulated}));
+  const std::string value = ToHex(PackSimulated({simulated}));
   statements_->add
       .With(digits, engine_id_, value, ChecksumOf(digits, engine_, value))
       .Run();

@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 
+#include "grammar/failure.h"
 #include "runtime/evolve/simulation_cache.h"
 #include "runtime/life/simulated.h"
 #include "runtime/store/database.h"
@@ -20,16 +21,14 @@ namespace plsc {
 /// of a fork.
 class SharedCache : public SimulationCache {
  public:
-  using Failure = std::optional<std::string>;
-
   SharedCache();
   ~SharedCache() override;
   SharedCache(const SharedCache&) = delete;
   SharedCache& operator=(const SharedCache&) = delete;
 
   /// Makes the file if it is not there. What is wrong with it, or nothing.
-  Failure Open(const std::string& path,
-               const std::string& engine = ThisEngine());
+  MaybeFailure Open(const std::string& path,
+                    const std::string& engine = ThisEngine());
 
   /// Ends its use as if it had never begun: a file that Open made is deleted.
   void Discard();
@@ -37,15 +36,15 @@ class SharedCache : public SimulationCache {
   /// An entry that is damaged is dropped, and not found.
   std::optional<Simulated> Find(const Key& key) override;
   /// Never fails: see warning().
-  Failure Add(const Key& key, const Simulated& simulated) override;
+  MaybeFailure Add(const Key& key, const Simulated& simulated) override;
 
   /// What the user must know of it: that it is not used any more, and why;
   /// how many entries were damaged.
-  Failure warning() const;
+  MaybeFailure warning() const;
 
  private:
   struct Statements;
-  Failure OpenFile(const std::string& path, const std::string& engine);
+  MaybeFailure OpenFile(const std::string& path, const std::string& engine);
   void Check();
   /// Nothing if the row is not what was added under this key.
   std::optional<Simulated> TakeEntry(const std::string& key);
@@ -54,7 +53,7 @@ class SharedCache : public SimulationCache {
   std::unique_ptr<Statements> statements_;
   std::string engine_;
   std::int64_t engine_id_ = 0;
-  Failure gone_;         // why it is not used any more
+  MaybeFailure gone_;    // why it is not used any more
   int damaged_ = 0;      // entries
   bool is_new_ = false;  // made by this object
 };

@@ -33,13 +33,6 @@ namespace plsc {
 
 namespace {
 
-using Failure = std::optional<std::string>;
-
-std::int64_t Single(Database& database, const std::string& sql) {
-  Statement statement(database, sql);
-  return statement.With().Next() ? statement.TakeInteger() : 0;
-}
-
 std::string Damaged(const Database& database, const std::string& what) {
   return fmt::format("'{}' is damaged: {}", database.path(), what);
 }
@@ -61,7 +54,7 @@ bool HasSchema(Database& database) {
 
 /// The first complaint of a PRAGMA that says "ok", or nothing, where all is
 /// well.
-Failure Complaint(Database& database, const char* sql) {
+MaybeFailure Complaint(Database& database, const char* sql) {
   Statement statement(database, sql);
   if (!statement.With().Next()) return database.TakeFailure();
   const std::string said = statement.TakeText();
@@ -69,8 +62,8 @@ Failure Complaint(Database& database, const char* sql) {
   return Damaged(database, said.substr(0, said.find('\n')));
 }
 
-Failure CheckStructure(Database& database) {
-  if (Failure failure = Complaint(database, "PRAGMA integrity_check(1)"))
+MaybeFailure CheckStructure(Database& database) {
+  if (MaybeFailure failure = Complaint(database, "PRAGMA integrity_check(1)"))
     return failure;
   Statement keys(database, "PRAGMA foreign_key_check");
   if (keys.With().Next())
@@ -89,15 +82,15 @@ class Examination {
   Health Take();
 
  private:
-  Failure CheckRun();
+  MaybeFailure CheckRun();
   void CheckGeneration(int number);
   void CheckIndividual(int id, int generation, bool is_complete);
-  Failure Wrong(const std::string& what) {
+  MaybeFailure Wrong(const std::string& what) {
     if (database_.has_failed()) return database_.TakeFailure();
     return Damaged(database_, what);
   }
   /// Whether there is nothing to be noted.
-  bool Note(const Failure& failure) {
+  bool Note(const MaybeFailure& failure) {
     if (!health_.problem) health_.problem = failure;
     return !failure;
   }
@@ -109,7 +102,7 @@ class Examination {
   Health health_;
 };
 
-Failure Examination::CheckRun() {
+MaybeFailure Examination::CheckRun() {
   Statement run(database_, "SELECT experiment FROM run");
   if (!run.With().Next()) return Wrong("it does not say what the run is");
   Result<Experiment> experiment =
@@ -117,15 +110,15 @@ Failure Examination::CheckRun() {
   if (!experiment) return Wrong("what the run is cannot be trusted");
   run.Run();
   experiment_ = std::move(*experiment);
-  completed_ =
-      static_cast<int>(Single(database_, "SELECT count(*) FROM generation"));
+  completed_ = static_cast<int>(
+      SingleInteger(database_, "SELECT count(*) FROM generation"));
   return database_.TakeFailure();
 }
 
 void Examination::CheckIndividual(int id, int generation, bool is_complete) {
   if (Note(checks_.Birth(id, generation))) health_.births.insert(id);
   int seasons = 0;
-  Failure failure = checks_.Evaluation(id, seasons);
+  MaybeFailure failure = checks_.Evaluation(id, seasons);
   const auto all = static_cast<int>(experiment_.scenario.seasons.size());
   if (!failure && seasons != all && (is_complete || seasons != 0))
     failure = Wrong(fmt::format("robot {} lacks an evaluation", id));
@@ -138,7 +131,7 @@ void Examination::CheckGeneration(int number) {
   if (!is_complete) {
     // All of them or nobody; and nobody beyond.
     const std::int64_t last =
-        Single(database_, "SELECT ifnull(max(id), 0) FROM individual");
+        SingleInteger(database_, "SELECT ifnull(max(id), 0) FROM individual");
     if (last == ids.first - 1) {
       Note(database_.TakeFailure());
       return;
@@ -156,8 +149,8 @@ Health Examination::Take() {
   if (!Note(CheckIdentity(database_)) || !Note(checks_.Run())) return health_;
   health_.is_run_whole = true;
   if (!Note(CheckRun())) return health_;
-  const Failure missing = checks_.Completed(experiment_);
-  const Failure broken = missing ? missing : CheckStructure(database_);
+  const MaybeFailure missing = checks_.Completed(experiment_);
+  const MaybeFailure broken = missing ? missing : CheckStructure(database_);
   // The last one is under way, if there is one to be made.
   const int last = std::min(completed_ + 1, experiment_.generations);
   for (int g = 0; g < last; ++g) {
@@ -171,9 +164,10 @@ Health Examination::Take() {
 
 }  // namespace
 
-Failure CheckIdentity(Database& database) {
-  const std::int64_t application = Single(database, "PRAGMA application_id");
-  const std::int64_t version = Single(database, "PRAGMA user_version");
+MaybeFailure CheckIdentity(Database& database) {
+  const std::int64_t application =
+      SingleInteger(database, "PRAGMA application_id");
+  const std::int64_t version = SingleInteger(database, "PRAGMA user_version");
   if (database.has_failed()) return database.TakeFailure();
   if (application != kApplicationId)
     return fmt::format("'{}' is no run of plsc, but another program's file",
@@ -199,22 +193,23 @@ Health Examine(Database& database) {
 
 Health Examine(const std::string& path) {
   Database database;
-  if (Failure failure = database.Open(path, Database::Mode::kRead)) {
+  if (MaybeFailure failure = database.Open(path, Database::Mode::kRead)) {
     Health health;
     health.problem = std::move(failure);
     return health;
   }
   Health health = Examine(database);
-  if (health.problem) {
-    *health.problem += health.whole_generations == 0
-                           ? "; no generation of it is whole"
-                           : fmt::format("; generations 0 to {} are whole",
-                                         health.whole_generations - 1);
-    *health.problem +=
-        ", and 'plsc export' prints what can still be read; "
-        "'plsc evolve --salvage " +
-        path + " -o NEW' makes the run again with the simulations that are";
-  }
+  if (health.problem)
+    health.problem = fmt::format(
+        "{}; {}, and 'plsc export' prints what can still be read; 'plsc evolve "
+        "--salvage {} -o NEW' makes the run again with the simulations that "
+        "are",
+        health.problem->text,
+        health.whole_generations == 0
+            ? "no generation of it is whole"
+            : fmt::format("generations 0 to {} are whole",
+                          health.whole_generations - 1),
+        path);
   return health;
 }
 

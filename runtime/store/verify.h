@@ -4,21 +4,21 @@
 // by asking. What a disk, an editor or a copy in the middle did to it must be
 // found before a run goes on from it.
 
-#include <optional>
 #include <set>
 #include <string>
 
+#include "grammar/failure.h"
 #include "runtime/store/database.h"
 
 namespace plsc {
 
 /// That it is a store of this version of the schema; quick. What is wrong, or
 /// nothing.
-std::optional<std::string> CheckIdentity(Database& database);
+MaybeFailure CheckIdentity(Database& database);
 
 struct Health {
   /// What is wrong first, ready for the user; nothing if all is well.
-  std::optional<std::string> problem;
+  MaybeFailure problem;
   /// From the initial one on, all of whose rows are what was written.
   int whole_generations = 0;
   bool is_run_whole = false;  ///< what the run is, with its constants

@@ -11,12 +11,10 @@ Versions ThisProgram() {
   return {PLSC_VERSION, PLSC_ODE_VERSION, __VERSION__, machine};
 }
 
-std::optional<std::string> CheckVersions(const std::string& path,
-                                         const Versions& versions) {
+MaybeFailure CheckVersions(const std::string& path, const Versions& versions) {
   const Versions own = ThisProgram();
-  const auto differs =
-      [&](const char* what, const std::string& then,
-          const std::string& now) -> std::optional<std::string> {
+  const auto differs = [&](const char* what, const std::string& then,
+                           const std::string& now) -> MaybeFailure {
     if (then == now) return std::nullopt;
     return fmt::format(
         "'{}' was begun with {} {}, and this is {}: to go on would not give "

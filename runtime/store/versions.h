@@ -2,8 +2,9 @@
 
 // What made a run's results, besides the experiment.
 
-#include <optional>
 #include <string>
+
+#include "grammar/failure.h"
 
 namespace plsc {
 
@@ -21,7 +22,6 @@ Versions ThisProgram();
 
 /// What keeps this program from going on with a run of those versions, ready to
 /// be printed; or nothing. `path` is the run's, for the message.
-std::optional<std::string> CheckVersions(const std::string& path,
-                                         const Versions& versions);
+MaybeFailure CheckVersions(const std::string& path, const Versions& versions);
 
 }  // namespace plsc

@@ -14,10 +14,10 @@ namespace plsc {
 
 namespace {
 
-RunReport Damaged(std::string problem) {
+RunReport Damaged(const Failure& failure) {
   RunReport report;
   report.state = RunState::kDamaged;
-  report.problem = std::move(problem);
+  report.problem = failure.text;
   return report;
 }
 
@@ -44,13 +44,12 @@ RunReport ReportOn(const std::string& folder, const Study& study,
   // one that nobody works on.
   const std::optional<std::string> worker = WhoWorksOn(path);
   RunStore store;
-  if (auto failure = store.OpenForReading(path))
-    return Damaged(std::move(*failure));
+  if (auto failure = store.OpenForReading(path)) return Damaged(*failure);
   if (!AreSame(store.experiment(), ExperimentOf(study, run)))
     return Damaged(fmt::format(
         "'{}' is a run of another experiment or seed than the study's", path));
-  const Loaded<RunStatus> status = store.Status();
-  if (!status) return Damaged(status.failure());
+  const Expected<RunStatus, Failure> status = store.Status();
+  if (!status) return Damaged(status.error());
   RunReport report;
   report.state = status->is_finished ? RunState::kDone
                  : worker            ? RunState::kRunning
@@ -59,8 +58,8 @@ RunReport ReportOn(const std::string& folder, const Study& study,
   report.generations = status->generations;
   report.evaluations = status->evaluations;
   if (status->best == 0) return report;
-  const Loaded<Individual> best = store.Find(status->best);
-  if (!best) return Damaged(best.failure());
+  const Expected<Individual, Failure> best = store.Find(status->best);
+  if (!best) return Damaged(best.error());
   report.best = SpeedsOf(*best);
   return report;
 }

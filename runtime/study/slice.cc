@@ -41,8 +41,7 @@ std::vector<StudyRun> RunsIn(const Study& study, std::string_view only,
   return runs;
 }
 
-std::optional<std::string> CheckOnly(const Study& study,
-                                     std::string_view only) {
+MaybeFailure CheckOnly(const Study& study, std::string_view only) {
   if (!RunsIn(study, only, {}).empty()) return std::nullopt;
   const std::string_view name = only.substr(0, only.find('/'));
   std::vector<std::string_view> known;

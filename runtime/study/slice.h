@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "grammar/failure.h"
 #include "runtime/study/study.h"
 
 namespace plsc {
@@ -30,6 +31,6 @@ std::vector<StudyRun> RunsIn(const Study& study, std::string_view only,
                              const Shard& shard);
 
 /// What is wrong with `only` and how to mend it; nothing if it names a run.
-std::optional<std::string> CheckOnly(const Study& study, std::string_view only);
+MaybeFailure CheckOnly(const Study& study, std::string_view only);
 
 }  // namespace plsc

@@ -17,8 +17,6 @@
 namespace plsc {
 
 namespace {
-
-using Failure = std::optional<std::string>;
 namespace fs = std::filesystem;
 
 constexpr const char* kFile = "study.yaml";
@@ -41,11 +39,11 @@ class MadeFolders {
   MadeFolders(const MadeFolders&) = delete;
   MadeFolders& operator=(const MadeFolders&) = delete;
 
-  Failure Make(const fs::path& folder) {
+  MaybeFailure Make(const fs::path& folder) {
     std::error_code error;
     const fs::path parent = folder.parent_path();
     if (!parent.empty() && !fs::exists(parent, error))
-      if (Failure failure = Make(parent)) return failure;
+      if (MaybeFailure failure = Make(parent)) return failure;
     if (fs::create_directory(folder, error)) made_.push_back(folder);
     if (!error || fs::is_directory(folder, error)) return std::nullopt;
     return fmt::format("cannot create '{}': {}", folder.string(),
@@ -59,9 +57,9 @@ class MadeFolders {
 
 /// Of several processes that begin at once, one makes the file and all others
 /// find it.
-Failure WriteFirst(const std::string& folder, const std::string& text) {
+MaybeFailure WriteFirst(const std::string& folder, const std::string& text) {
   NewFile file(FileIn(folder));
-  Failure failure = file.Write(text);
+  MaybeFailure failure = file.Write(text);
   if (!failure) failure = file.Publish();
   std::error_code error;
   if (failure && fs::exists(FileIn(folder), error)) return std::nullopt;
@@ -70,7 +68,7 @@ Failure WriteFirst(const std::string& folder, const std::string& text) {
 
 /// A folder of something else is not ours to fill. What another process makes
 /// in it meanwhile comes after study.yaml, so that file is looked for last.
-Failure CheckEmpty(const std::string& folder) {
+MaybeFailure CheckEmpty(const std::string& folder) {
   std::error_code error;
   std::error_code ignored;
   for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
@@ -114,24 +112,24 @@ std::string Difference(const std::string& there, const std::string& here) {
 
 }  // namespace
 
-Failure PrepareFolder(const std::string& folder, const Study& study) {
+MaybeFailure PrepareFolder(const std::string& folder, const Study& study) {
   MadeFolders made;
-  if (Failure failure = made.Make(folder)) return failure;
+  if (MaybeFailure failure = made.Make(folder)) return failure;
   const std::string text = PrintStudy(study);
   std::error_code error;
   if (!fs::exists(FileIn(folder), error)) {
-    if (Failure failure = CheckEmpty(folder)) return failure;
-    if (Failure failure = WriteFirst(folder, text)) return failure;
+    if (MaybeFailure failure = CheckEmpty(folder)) return failure;
+    if (MaybeFailure failure = WriteFirst(folder, text)) return failure;
   }
-  if (Failure failure = CheckFolder(folder, study)) return failure;
+  if (MaybeFailure failure = CheckFolder(folder, study)) return failure;
   for (const StudyExperiment& one : study.experiments)
-    if (Failure failure = made.Make(fs::path(folder) / one.name))
+    if (MaybeFailure failure = made.Make(fs::path(folder) / one.name))
       return failure;
   made.Keep();
   return std::nullopt;
 }
 
-Failure CheckFolder(const std::string& folder, const Study& study) {
+MaybeFailure CheckFolder(const std::string& folder, const Study& study) {
   const std::string text = PrintStudy(study);
   const std::optional<std::string> there = ReadAll(FileIn(folder));
   if (!there) return fmt::format("cannot read '{}'", FileIn(folder));
@@ -140,17 +138,17 @@ Failure CheckFolder(const std::string& folder, const Study& study) {
                      Difference(*there, text));
 }
 
-Loaded<Study> StudyIn(const std::string& folder) {
+Expected<Study, Failure> StudyIn(const std::string& folder) {
   const std::string path = FileIn(folder);
   const std::optional<std::string> text = ReadAll(path);
   if (!text)
-    return Loaded<Study>::Failed(
+    return Failure(
         fmt::format("'{}' is no study's folder: it has no {} that can be read",
                     folder, kFile));
   Result<Study> study = ParseStudy(Source(path, *text));
   if (!study)
-    return Loaded<Study>::Failed(fmt::format(
-        "'{}' is damaged: {}", path, study.diagnostics().front().message));
+    return Failure(fmt::format("'{}' is damaged: {}", path,
+                               study.diagnostics().front().message));
   return std::move(*study);
 }
 

@@ -7,7 +7,8 @@
 #include <optional>
 #include <string>
 
-#include "runtime/store/loaded.h"
+#include "grammar/expected.h"
+#include "grammar/failure.h"
 #include "runtime/study/study.h"
 
 namespace plsc {
@@ -15,16 +16,14 @@ namespace plsc {
 /// Makes the folder, unless it is there already and of the same study. What is
 /// wrong, or nothing; a folder of another study is refused with the first line
 /// in which they differ, and nothing in it is changed.
-std::optional<std::string> PrepareFolder(const std::string& folder,
-                                         const Study& study);
+MaybeFailure PrepareFolder(const std::string& folder, const Study& study);
 
 /// That the folder is still this study's: it may be deleted or moved while the
 /// study is run.
-std::optional<std::string> CheckFolder(const std::string& folder,
-                                       const Study& study);
+MaybeFailure CheckFolder(const std::string& folder, const Study& study);
 
 /// The study that a folder is of.
-Loaded<Study> StudyIn(const std::string& folder);
+Expected<Study, Failure> StudyIn(const std::string& folder);
 
 std::string RunPath(const std::string& folder, const Study& study,
                     const StudyRun& run);

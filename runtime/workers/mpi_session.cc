@@ -32,7 +32,7 @@ std::optional<int> LaunchedRanks() {
 
 /// mpirun sends on SIGUSR1, and kills what it gives SIGTERM a second later:
 /// so the one is the way to ask for the other.
-void SetSignals(int rank) {
+void SetSignalsOfRank(int rank) {
   if (rank == 0) {
     signal(SIGUSR1, [](int) { kill(getpid(), SIGTERM); });
   } else {
@@ -65,7 +65,7 @@ std::optional<std::string> MpiSession::Join(int workers, MakeWork make_work) {
     return "started by mpirun with more than one rank, but built without MPI; "
            "build plsc where cmake finds MPI (libopenmpi-dev), or start it "
            "without mpirun";
-  SetSignals(rank());
+  SetSignalsOfRank(rank());
   // A launcher of another MPI starts N ranks that do not know of each other.
   const std::optional<int> launched = LaunchedRanks();
   if (launched && *launched != size())

@@ -77,15 +77,15 @@ class Timed : public RunObserver {
   double seconds = 0;
   long memory_after_20 = 0;
 
-  Failure OnBirths(const std::vector<Individual>& born,
+  MaybeFailure OnBirths(const std::vector<Individual>& born,
                    const std::function<bool()>& should_stop) override {
     return Time([&] { return inner_.OnBirths(born, should_stop); });
   }
-  Failure OnEvaluated(const Individual& one,
+  MaybeFailure OnEvaluated(const Individual& one,
                       const std::vector<SeasonEvidence>& evidence) override {
     return Time([&] { return inner_.OnEvaluated(one, evidence); });
   }
-  Failure OnGeneration(const GenerationRecord& record) override {
+  MaybeFailure OnGeneration(const GenerationRecord& record) override {
     if (record.generation == 19) memory_after_20 = MemoryNow();
     if (record.generation % 20 == 19)
       fmt::print("  generation {:>3}: coordinator's memory {:>6} KiB\n",
@@ -95,9 +95,9 @@ class Timed : public RunObserver {
 
  private:
   template <typename Work>
-  Failure Time(const Work& work) {
+  MaybeFailure Time(const Work& work) {
     const double begin = CpuSeconds(RUSAGE_SELF);
-    Failure failure = work();
+    MaybeFailure failure = work();
     seconds += CpuSeconds(RUSAGE_SELF) - begin;
     return failure;
   }
@@ -107,7 +107,7 @@ class Timed : public RunObserver {
 void ReportStubbed(const Experiment& experiment, const std::string& path) {
   RunStore store;
   if (const auto failure = store.Create(path, experiment)) {
-    fmt::print("{}\n", *failure);
+    fmt::print("{}\n", failure->text);
     return;
   }
   Timed timed(store);
@@ -140,7 +140,7 @@ double ReportReal(const Experiment& experiment, int jobs,
                   const std::string& path) {
   RunStore store;
   if (const auto failure = store.Create(path, experiment)) {
-    fmt::print("{}\n", *failure);
+    fmt::print("{}\n", failure->text);
     return 0;
   }
   Timed timed(store);

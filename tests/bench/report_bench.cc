@@ -82,9 +82,9 @@ Study MakeStudy(bool is_smoke) {
   return study;
 }
 
-void Require(const std::optional<std::string>& failure) {
+void Require(const MaybeFailure& failure) {
   if (!failure) return;
-  fmt::print("error: {}\n", *failure);
+  fmt::print("error: {}\n", failure->text);
   std::exit(1);
 }
 

@@ -34,6 +34,13 @@ experiments:
   plastic:
     encoding: plasticoding
 YAML
+cat >"$work/run.yaml" <<'YAML'
+plsc_experiment: 1
+seed: 1
+population: 6
+offspring: 6
+generations: 3
+YAML
 
 # The tables of all runs that plsc made in the folder.
 tables() {
@@ -43,7 +50,7 @@ tables() {
 }
 
 mkdir "$work/native"
-"$plsc" evolve examples/small.yaml -o "$work/native/run.sqlite" --quiet >/dev/null
+"$plsc" evolve "$work/run.yaml" -o "$work/native/run.sqlite" --quiet >/dev/null
 "$plsc" study run "$work/study.yaml" -o "$work/native/study" >/dev/null
 tables "$work/native" >"$work/native.jsonl"
 
@@ -59,16 +66,16 @@ for system in ${*:-busybox bullseye trixie}; do
   fi
   mkdir "$root/opt" 2>/dev/null || true
   tar -xzf "$work"/made/*.tar.gz -C "$root/opt"
-  cp examples/climber.pls examples/small.yaml "$work/study.yaml" "$root/"
+  cp examples/climber.pls "$work/run.yaml" "$work/study.yaml" "$root/"
   env -i "$(command -v chroot)" "$root" /bin/sh -eu <<'INSIDE'
 plsc=$(echo /opt/plsc-*/bin/plsc)
 "$plsc" --version
 "$plsc" check /climber.pls
 "$plsc" simulate /climber.pls
-"$plsc" evolve /small.yaml -o /run.sqlite --jobs 2 --quiet >/dev/null
+"$plsc" evolve /run.yaml -o /run.sqlite --jobs 2 --quiet >/robot.pls
 "$plsc" study run /study.yaml -o /study --jobs 2
 "$plsc" show /run.sqlite
-! "$plsc" draw /climber.pls -o /climber.png
+if "$plsc" draw /climber.pls -o /climber.png; then exit 1; fi
 INSIDE
   tables "$root" >"$work/$system.jsonl"
   cmp "$work/native.jsonl" "$work/$system.jsonl"

@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "sim/placement.h"
 #include "tests/sim/terrains.h"
 
 namespace plsc {

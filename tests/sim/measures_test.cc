@@ -1,4 +1,5 @@
 #include "sim/measures.h"
+#include "sim/trajectory.h"
 
 #include <catch2/catch.hpp>
 #include <cmath>

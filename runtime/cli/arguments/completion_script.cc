@@ -23,7 +23,7 @@ std::vector<std::string> CommandsBelow(const CommandDescription& command) {
 }
 
 // Help texts have no quotes that matter to shells but these.
-std::string Escaped(const std::string& text, const std::string& special) {
+std::string Backslashed(const std::string& text, const std::string& special) {
   std::string escaped;
   for (const char c : text) {
     if (special.find(c) != std::string::npos) escaped += '\\';
@@ -173,9 +173,9 @@ std::string ZshOption(const OptionDescription& option) {
   std::string specs;
   for (const std::string& name : option.names) {
     std::string spec = option.is_repeated ? "*" : "";
-    spec += name + "[" + Escaped(option.help, "[]:\\") + "]";
+    spec += name + "[" + Backslashed(option.help, "[]:\\") + "]";
     if (option.kind != ValueKind::kNone)
-      spec += ":" + Escaped(option.value, ":\\") + ZshValue(option);
+      spec += ":" + Backslashed(option.value, ":\\") + ZshValue(option);
     specs += " \\\n        " + SingleQuoted(spec);
   }
   return specs;
@@ -188,7 +188,7 @@ std::string ZshArguments(const CommandDescription& command) {
     text += ZshOption(option);
   for (const OptionDescription& positional : command.positionals) {
     const std::string spec = (positional.is_repeated ? "*:" : ":") +
-                             Escaped(positional.value, ":\\") +
+                             Backslashed(positional.value, ":\\") +
                              ZshValue(positional);
     text += " \\\n        " + SingleQuoted(spec);
   }
@@ -213,7 +213,7 @@ std::string ZshFunction(const CommandDescription& command,
   for (const CommandDescription& below : command.commands)
     text += fmt::format("        {}\n",
                         SingleQuoted(LastWord(below.name) + ":" +
-                                     Escaped(below.summary, ":\\")));
+                                     Backslashed(below.summary, ":\\")));
   text +=
       "      )\n"
       "      _describe command commands ;;\n"
@@ -242,7 +242,7 @@ std::string ZshScript(const CommandDescription& root) {
 }
 
 std::string FishQuoted(const std::string& text) {
-  return "'" + Escaped(text, "\\'") + "'";
+  return "'" + Backslashed(text, "\\'") + "'";
 }
 
 // Where a command's completions apply.

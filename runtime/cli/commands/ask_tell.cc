@@ -28,15 +28,15 @@ bool IsId(const AnyJson& json) {
          json.template get_ref<const std::string&>().size() <= kLongestId;
 }
 
-std::string Quoted(const std::string& text) {
+std::string JsonString(const std::string& text) {
   return Json(text).dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-std::string Failure(const std::string& id, std::size_t line,
-                    const std::string& message,
-                    const std::string& diagnostics) {
+std::string FailedAnswer(const std::string& id, std::size_t line,
+                         const std::string& message,
+                         const std::string& diagnostics) {
   return fmt::format(R"({{"id":{},"line":{},"error":{},"diagnostics":[{}]}})",
-                     id, line, Quoted(message), diagnostics);
+                     id, line, JsonString(message), diagnostics);
 }
 
 }  // namespace
@@ -95,14 +95,14 @@ std::string FailureAnswer(const std::string& id, std::size_t line,
     all += DiagnosticJson(diagnostic, source);
   }
   const Diagnostic& first = diagnostics.front();
-  return Failure(id, line,
-                 fmt::format("{}: {}", NumberOf(first.code), first.message),
-                 all);
+  return FailedAnswer(
+      id, line, fmt::format("{}: {}", NumberOf(first.code), first.message),
+      all);
 }
 
 std::string FailureAnswer(const std::string& id, std::size_t line,
                           const std::string& failure) {
-  return Failure(id, line, failure, "");
+  return FailedAnswer(id, line, failure, "");
 }
 
 }  // namespace plsc::cli

@@ -133,8 +133,7 @@ std::string JsonText(const Genotype& genotype, const Environment& environment,
   std::string text =
       DevelopmentJson(genotype, environment, developed.string, phenotype);
   if (view == nullptr) return text;
-  using Json = nlohmann::ordered_json;
-  Json json = Json::parse(text);
+  auto json = nlohmann::ordered_json::parse(text);
   json["trace"] = HistoryJson(*view);
   // The file's name may be any bytes; JSON must stay UTF-8.
   return DumpJson(json);

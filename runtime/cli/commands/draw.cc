@@ -174,8 +174,8 @@ Output OutputOf(const DrawCommand& command) {
 Exit WritePicture(const DrawCommand& command, const std::string& svg, Io& io) {
   std::string bytes = svg;
   if (command.output.ends_with(".png")) {
-    Loaded<std::string> png = PngOf(svg, command.scale);
-    if (!png) return Complain(png.failure(), io);
+    Expected<std::string, Failure> png = PngOf(svg, command.scale);
+    if (!png) return Complain(png.error(), io);
     bytes = MarkedPng(*png);
   }
   if (!WriteOutput(OutputOf(command), bytes, io)) return Exit::kBadInput;
@@ -196,8 +196,8 @@ Exit Run(const DrawCommand& command, Io& io) {
   const auto found = FindRobot({command.file, command.individual,
                                 command.environments, command.allow_range},
                                io);
-  if (const Exit* exit = std::get_if<Exit>(&found)) return *exit;
-  const auto& robot = std::get<RobotFound>(found);
+  if (!found) return found.error();
+  const auto& robot = *found;
   const auto grown = GrowAll(robot, io);
   if (!grown) return Exit::kBadInput;
   if (command.terminal || command.output.empty())

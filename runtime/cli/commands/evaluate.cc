@@ -62,8 +62,8 @@ struct Examined {
   std::string failure;
 };
 
-Examined Examine(const InputLine& line, const Scenario& scenario,
-                 const CompileOptions& options) {
+Examined ExamineLine(const InputLine& line, const Scenario& scenario,
+                     const CompileOptions& options) {
   Examined examined;
   const auto fail = [&](const auto&... problem) {
     examined.failure = FailureAnswer(examined.id, line.number, problem...);
@@ -88,9 +88,10 @@ Examined Examine(const InputLine& line, const Scenario& scenario,
 }
 
 /// Gives genotypes to workers and prints the answers.
-class Evaluations {
+class LinesEvaluation {
  public:
-  Evaluations(const EvaluateCommand& command, const Scenario& scenario, Io& io)
+  LinesEvaluation(const EvaluateCommand& command, const Scenario& scenario,
+                  Io& io)
       : command_(command),
         scenario_(scenario),
         io_(io),
@@ -134,7 +135,7 @@ class Evaluations {
     if (line.text.find_first_not_of(" \t\r") == std::string::npos) return;
     CompileOptions options;
     options.allow_out_of_range = command_.allow_range;
-    Examined examined = Examine(line, scenario_, options);
+    Examined examined = ExamineLine(line, scenario_, options);
     const int ticket = next_++;
     if (!examined.failure.empty()) {
       ++failed_;
@@ -192,7 +193,7 @@ Exit Run(const EvaluateCommand& command, Io& io) {
   const auto scenario = LoadScenario(command.scenario, io);
   if (!scenario) return Exit::kBadInput;
   const InterruptHandler handler;
-  return Evaluations(command, *scenario, io).Run();
+  return LinesEvaluation(command, *scenario, io).Run();
 }
 
 }  // namespace plsc::cli

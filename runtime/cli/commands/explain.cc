@@ -31,7 +31,7 @@ std::string Text(const Explanation& explanation) {
                      Indented(explanation.mended));
 }
 
-std::string Json(const Explanation& explanation) {
+std::string ExplanationJson(const Explanation& explanation) {
   nlohmann::ordered_json json;
   json["code"] = NumberOf(explanation.code);
   json["meaning"] = MeaningOf(explanation.code);
@@ -44,7 +44,7 @@ std::string Json(const Explanation& explanation) {
 Exit List(OutputFormat format, Io& io) {
   for (const Explanation& explanation : Explanations()) {
     if (format == OutputFormat::kJson)
-      io.out << Json(explanation);
+      io.out << ExplanationJson(explanation);
     else
       io.out << fmt::format("{}  {}\n", NumberOf(explanation.code),
                             MeaningOf(explanation.code));
@@ -82,8 +82,9 @@ Exit Run(const ExplainCommand& command, Io& io) {
            << "see 'plsc explain --list'\n";
     return Exit::kBadUsage;
   }
-  io.out << (command.format == OutputFormat::kJson ? Json(*explanation)
-                                                   : Text(*explanation));
+  io.out << (command.format == OutputFormat::kJson
+                 ? ExplanationJson(*explanation)
+                 : Text(*explanation));
   return Exit::kFine;
 }
 

@@ -17,24 +17,23 @@ namespace plsc::cli {
 
 namespace {
 
-using Failure = std::optional<std::string>;
-
 /// What could be read of a damaged run is a file, too.
 template <typename Writer>
-Failure WriteFileWith(const std::string& path, const Writer& write) {
+MaybeFailure WriteFileWith(const std::string& path, const Writer& write) {
   OutputFile file(path);
-  const auto told = [&](const Failure& reason) -> Failure {
+  const auto told =
+      [&](const std::optional<std::string>& reason) -> MaybeFailure {
     if (!reason) return std::nullopt;
     return fmt::format("cannot write to '{}': {}", file.path(), *reason);
   };
   bool is_written = true;
-  Failure failure = write([&](std::string_view text) {
-    Failure wrong = told(file.Write(text));
+  MaybeFailure failure = write([&](std::string_view text) {
+    MaybeFailure wrong = told(file.Write(text));
     is_written = is_written && !wrong;
     return wrong;
   });
   if (!is_written) return failure;
-  Failure unfinished = told(file.Finish());
+  MaybeFailure unfinished = told(file.Finish());
   return failure ? failure : unfinished;
 }
 
@@ -58,22 +57,22 @@ bool CanWriteAll(const ExportCommand& command, Io& io) {
                      });
 }
 
-Failure ExportTables(const ExportCommand& command) {
+MaybeFailure ExportTables(const ExportCommand& command) {
   CsvExport run;
-  if (Failure failure = run.Open(command.file)) return failure;
-  Failure first = run.damage();
+  if (MaybeFailure failure = run.Open(command.file)) return failure;
+  MaybeFailure first = run.damage();
   for (const CsvTable& table : CsvTables()) {
     const std::string path = TableOf(command, table).path;
-    Failure failure = WriteFileWith(
+    MaybeFailure failure = WriteFileWith(
         path, [&](const Sink& sink) { return run.Write(table, sink); });
     if (failure && !first) first = std::move(failure);
   }
   return first;
 }
 
-Failure ExportLines(const ExportCommand& command, Io& io) {
+MaybeFailure ExportLines(const ExportCommand& command, Io& io) {
   if (command.output.empty() || command.output == "-")
-    return WriteJsonl(command.file, [&](std::string_view text) -> Failure {
+    return WriteJsonl(command.file, [&](std::string_view text) -> MaybeFailure {
       io.out << text;
       if (io.out) return std::nullopt;
       return "cannot write to standard output";
@@ -96,11 +95,11 @@ Exit Run(const ExportCommand& command, Io& io) {
   {
     // Nothing is written for what is no run.
     RunStore store;
-    if (const Failure failure = store.OpenForReading(command.file))
+    if (const MaybeFailure failure = store.OpenForReading(command.file))
       return Complain(*failure, io);
   }
   if (!CanWriteAll(command, io)) return Exit::kBadInput;
-  const Failure failure =
+  const MaybeFailure failure =
       command.jsonl ? ExportLines(command, io) : ExportTables(command);
   return failure ? Complain(*failure, io) : Exit::kFine;
 }

@@ -16,6 +16,7 @@
 #include "runtime/cli/robots/robot_setting.h"
 #include "runtime/cli/robots/robot_source.h"
 #include "runtime/develop/develop.h"
+#include "runtime/exports/robot_model.h"
 #include "sim/overlap.h"
 
 namespace plsc::cli {
@@ -207,8 +208,8 @@ Exit ExportRobots(const ExportCommand& command, Io& io) {
       FindRobot({command.file, command.individual, command.environments,
                  command.allow_range, command.scenario},
                 io);
-  if (const Exit* exit = std::get_if<Exit>(&found)) return *exit;
-  const auto models = GrowModels(command, std::get<RobotFound>(found), io);
+  if (!found) return found.error();
+  const auto models = GrowModels(command, *found, io);
   if (!models) return Exit::kBadInput;
   if (asks_folder) return FillFolder(command, *models, io);
   const bool names_file =

@@ -21,7 +21,7 @@ bool IsBlank(const Source& source) {
 }
 
 // One of the three, and why it is no genotype, if it is none.
-struct Version {
+struct MergedVersion {
   Source source;
   std::vector<Diagnostic> problems;
 };
@@ -38,9 +38,9 @@ std::vector<Diagnostic> ProblemsOf(const Source& source,
 
 // Prints why it cannot be read. git's temporary files have names that tell
 // nobody anything: its driver calls the version "robots/a.pls (theirs)".
-std::optional<Version> ReadVersion(const std::string& path,
-                                   const std::string& label,
-                                   const MergeCommand& command, Io& io) {
+std::optional<MergedVersion> ReadVersion(const std::string& path,
+                                         const std::string& label,
+                                         const MergeCommand& command, Io& io) {
   std::optional<Source> read = ReadOrReport(path, io);
   if (!read) return std::nullopt;
   Source source = command.is_driver && !command.path.empty()
@@ -50,7 +50,7 @@ std::optional<Version> ReadVersion(const std::string& path,
   const bool is_nothing = path == command.base && IsBlank(source);
   std::vector<Diagnostic> problems;
   if (!is_nothing) problems = ProblemsOf(source, command);
-  return Version{std::move(source), std::move(problems)};
+  return MergedVersion{std::move(source), std::move(problems)};
 }
 
 MergeLabels LabelsOf(const MergeCommand& command) {
@@ -104,8 +104,8 @@ Exit NotMerged(const MergeCommand& command, Io& io) {
 }
 
 // One error a version is enough: this is said amidst git's own words.
-void ReportFirst(const std::vector<const Version*>& versions, Io& io) {
-  for (const Version* version : versions) {
+void ReportFirst(const std::vector<const MergedVersion*>& versions, Io& io) {
+  for (const MergedVersion* version : versions) {
     const auto& problems = version->problems;
     const auto error = std::find_if(
         problems.begin(), problems.end(), [](const Diagnostic& problem) {
@@ -116,7 +116,7 @@ void ReportFirst(const std::vector<const Version*>& versions, Io& io) {
 }
 
 // Neither git nor diff3 have lines in such a text.
-bool IsBinary(const Version& version) {
+bool IsBinary(const MergedVersion& version) {
   return version.source.text().find('\0') != std::string_view::npos;
 }
 
@@ -148,7 +148,7 @@ Exit Run(const MergeCommand& command, Io& io) {
         MergeFiles(base->source, ours->source, theirs->source, labels), true,
         command, io);
   if (!command.is_driver) {
-    for (const Version* version : {&*base, &*ours, &*theirs})
+    for (const MergedVersion* version : {&*base, &*ours, &*theirs})
       Report(version->problems, version->source, io);
     return NotMerged(command, io);
   }

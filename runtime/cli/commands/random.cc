@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <ostream>
-#include <variant>
 #include <vector>
 
 #include "compiler/compile.h"
 #include "compiler/print.h"
+#include "grammar/expected.h"
 #include "runtime/cli/arguments/robots.h"
 #include "runtime/cli/commands/offspring.h"
 #include "runtime/cli/files/load_yaml.h"
@@ -48,7 +48,7 @@ std::vector<Genotype> DrawSome(const RandomCommand& command) {
 }
 
 /// As a run of the experiment begins.
-std::variant<std::vector<Genotype>, Exit> DrawPopulation(
+Expected<std::vector<Genotype>, Exit> DrawPopulation(
     const RandomCommand& command, Io& io) {
   auto experiment = LoadExperiment(command.experiment, io);
   if (!experiment) return Exit::kBadInput;
@@ -67,8 +67,8 @@ std::variant<std::vector<Genotype>, Exit> DrawPopulation(
   return genotypes;
 }
 
-std::variant<std::vector<Genotype>, Exit> Draw(const RandomCommand& command,
-                                               Io& io) {
+Expected<std::vector<Genotype>, Exit> Draw(const RandomCommand& command,
+                                           Io& io) {
   if (!command.experiment.empty()) return DrawPopulation(command, io);
   if (command.seed) return DrawSome(command);
   io.err << "plsc: --seed or --experiment is required\n"
@@ -80,10 +80,9 @@ std::variant<std::vector<Genotype>, Exit> Draw(const RandomCommand& command,
 
 Exit Run(const RandomCommand& command, Io& io) {
   const auto drawn = Draw(command, io);
-  if (const Exit* exit = std::get_if<Exit>(&drawn)) return *exit;
+  if (!drawn) return drawn.error();
   std::vector<std::string> texts;
-  for (const Genotype& one : std::get<std::vector<Genotype>>(drawn))
-    texts.push_back(Print(one));
+  for (const Genotype& one : *drawn) texts.push_back(Print(one));
   const std::string text = JoinGenotypes(texts);
   // A name such as `rule` or `2nd` for a state comes from the command line;
   // the language decides whether it is one. The same states for all.

@@ -57,16 +57,17 @@ struct Stored {
   std::vector<SeasonEvidence> evidence;
 };
 
-Loaded<std::vector<Stored>> Load(RunStore& store, std::span<const int> ids) {
-  using Batch = Loaded<std::vector<Stored>>;
+Expected<std::vector<Stored>, Failure> Load(RunStore& store,
+                                            std::span<const int> ids) {
   std::vector<Stored> batch;
   for (const int id : ids) {
-    Loaded<Individual> one = store.Find(id);
-    if (!one) return Batch::Failed(one.failure());
+    Expected<Individual, Failure> one = store.Find(id);
+    if (!one) return one.error();
     if (one->evaluation.seasons.empty())
-      return Batch::Failed(fmt::format("{} is not evaluated yet", id));
-    Loaded<std::vector<SeasonEvidence>> evidence = store.EvidenceOf(id);
-    if (!evidence) return Batch::Failed(evidence.failure());
+      return Failure(fmt::format("{} is not evaluated yet", id));
+    Expected<std::vector<SeasonEvidence>, Failure> evidence =
+        store.EvidenceOf(id);
+    if (!evidence) return evidence.error();
     batch.push_back({std::move(*one), std::move(*evidence)});
   }
   return batch;
@@ -98,7 +99,7 @@ class Replays {
     if (evaluator_.failure()) replayed.clear();
     return replayed;
   }
-  std::string failure() const { return evaluator_.failure().value_or(""); }
+  const MaybeFailure& failure() const { return evaluator_.failure(); }
 
  private:
   const LifePlanner planner_;
@@ -116,9 +117,9 @@ Exit Run(const ReplayCommand& command, Io& io) {
   if (command.all)
     if (const auto problem = Examine(command.run).problem)
       return Complain(*problem, io);
-  const Loaded<std::vector<int>> ids =
+  const Expected<std::vector<int>, Failure> ids =
       command.all ? EvaluatedIds(store) : IdsOf(store, command.individuals);
-  if (!ids) return Complain(ids.failure(), io);
+  if (!ids) return Complain(ids.error(), io);
   Replays replays(store.experiment(), WorkerCount(command.jobs.value_or(0)));
   // Enough for all workers, few enough to be seen going on.
   constexpr std::size_t kBatch = 50;
@@ -127,10 +128,10 @@ Exit Run(const ReplayCommand& command, Io& io) {
   while (!rest.empty()) {
     const auto now = rest.first(std::min(rest.size(), kBatch));
     rest = rest.subspan(now.size());
-    const Loaded<std::vector<Stored>> batch = Load(store, now);
-    if (!batch) return Complain(batch.failure(), io);
+    const Expected<std::vector<Stored>, Failure> batch = Load(store, now);
+    if (!batch) return Complain(batch.error(), io);
     const std::vector<Replayed> replayed = replays.Evaluate(*batch);
-    if (replayed.empty()) return Complain(replays.failure(), io);
+    if (replayed.empty()) return Complain(*replays.failure(), io);
     for (const Replayed& one : replayed) {
       different += one.differences.empty() ? 0 : 1;
       command.format == OutputFormat::kJson ? PrintJson(one, io.out)

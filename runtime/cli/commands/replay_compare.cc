@@ -12,9 +12,9 @@ namespace plsc::cli {
 
 namespace {
 
-class Comparison {
+class SeasonComparison {
  public:
-  Comparison(const std::string& season, Replayed& replayed)
+  SeasonComparison(const std::string& season, Replayed& replayed)
       : season_(season), replayed_(replayed) {}
 
   void Add(std::string_view name, const std::string& stored,
@@ -55,7 +55,7 @@ std::string TextOf(const std::vector<SensedState>& sensed) {
 }
 
 void CompareSeasons(const SeasonResult& stored, const SeasonResult& now,
-                    Comparison& comparison) {
+                    SeasonComparison& comparison) {
   comparison.Add("sensed", TextOf(stored.sensed), TextOf(now.sensed));
   comparison.Add("inclination", stored.inclination, now.inclination);
   comparison.Add("begin", stored.begin, now.begin);
@@ -87,7 +87,7 @@ Replayed Compare(const Individual& stored,
   const auto& seasons = stored.evaluation.seasons;
   replayed.seasons = seasons.size();
   for (std::size_t i = 0; i < seasons.size(); ++i) {
-    Comparison comparison(seasons[i].season, replayed);
+    SeasonComparison comparison(seasons[i].season, replayed);
     CompareSeasons(seasons[i], now.evaluation.seasons[i], comparison);
     const SeasonEvidence& before = evidence[i];
     const SeasonEvidence& after = now.evidence[i];

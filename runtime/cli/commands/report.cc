@@ -113,9 +113,9 @@ Exit Run(const ReportCommand& command, Io& io) {
     return WrongUsage("where should the page go? add -o FILE", io);
   if (!CanWrite(OutputOf(command), io)) return Exit::kBadInput;
   const auto measures = ChooseMeasures(command.measures);
-  if (!measures) return WrongUsage(measures.failure().c_str(), io);
-  const Loaded<ReportInputs> inputs = FindRuns(command.paths);
-  if (!inputs) return Complain(inputs.failure(), io);
+  if (!measures) return WrongUsage(measures.error().text.c_str(), io);
+  const Expected<ReportInputs, Failure> inputs = FindRuns(command.paths);
+  if (!inputs) return Complain(inputs.error(), io);
   if (is_page && !HasPages())
     return Complain(
         "this plsc was built without npm and has no pages; "

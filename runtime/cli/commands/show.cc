@@ -94,17 +94,17 @@ Json IndividualJson(const Individual& one,
 }
 
 Exit ShowIndividual(const ShowCommand& command, RunStore& store, Io& io) {
-  const Loaded<int> id = IdOf(store, command.individual);
-  if (!id) return Complain(id.failure(), io);
-  const Loaded<Individual> one = store.Find(*id);
-  if (!one) return Complain(one.failure(), io);
+  const Expected<int, Failure> id = IdOf(store, command.individual);
+  if (!id) return Complain(id.error(), io);
+  const Expected<Individual, Failure> one = store.Find(*id);
+  if (!one) return Complain(one.error(), io);
   if (command.genotype) {
     io.out << Print(one->genotype);
     return Exit::kFine;
   }
-  const Loaded<std::vector<Ancestor>> lineage =
+  const Expected<std::vector<Ancestor>, Failure> lineage =
       store.Lineage(*id, command.lineage);
-  if (!lineage) return Complain(lineage.failure(), io);
+  if (!lineage) return Complain(lineage.error(), io);
   if (command.format == OutputFormat::kJson) {
     io.out << DumpJson(IndividualJson(*one, *lineage)) << '\n';
     return Exit::kFine;
@@ -167,16 +167,16 @@ void PrintBest(const Individual& best, std::ostream& out) {
 Exit ShowRun(const ShowCommand& command,
              const std::optional<std::string>& worker, RunStore& store,
              Io& io) {
-  const Loaded<RunStatus> status = store.Status();
-  if (!status) return Complain(status.failure(), io);
+  const Expected<RunStatus, Failure> status = store.Status();
+  if (!status) return Complain(status.error(), io);
   const Standing standing{*status, worker.value_or(""),
                           status->is_finished ? "finished"
                           : worker            ? "running"
                                               : "unfinished"};
   std::optional<Individual> best;
   if (status->best != 0) {
-    Loaded<Individual> found = store.Find(status->best);
-    if (!found) return Complain(found.failure(), io);
+    Expected<Individual, Failure> found = store.Find(status->best);
+    if (!found) return Complain(found.error(), io);
     best = std::move(*found);
   }
   if (command.format == OutputFormat::kJson) {

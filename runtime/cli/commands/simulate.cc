@@ -4,7 +4,6 @@
 #include <filesystem>
 #include <ostream>
 #include <utility>
-#include <variant>
 
 #include "grammar/shown_line.h"
 #include "runtime/cli/arguments/robots.h"
@@ -14,7 +13,7 @@
 #include "runtime/cli/robots/recorded_life.h"
 #include "runtime/cli/robots/robot_source.h"
 #include "runtime/cli/running/interrupt.h"
-#include "runtime/life/evaluation.h"
+#include "runtime/life/life.h"
 #include "runtime/life/season_json.h"
 #include "runtime/pictures/path_svg.h"
 #include "runtime/recording/recording_json.h"
@@ -175,10 +174,10 @@ struct ToLive {
   Senses inherited;
 };
 
-std::variant<ToLive, Exit> FindInRun(const SimulateCommand& command, Io& io) {
+Expected<ToLive, Exit> FindInRun(const SimulateCommand& command, Io& io) {
   auto found = FindInStore(command.file, command.individual, io);
-  if (const Exit* exit = std::get_if<Exit>(&found)) return *exit;
-  auto& [one, scenario] = std::get<RobotOfRun>(found);
+  if (!found) return found.error();
+  auto& [one, scenario] = *found;
   if (command.scenario.empty())
     return ToLive{std::move(one.genotype), std::move(scenario),
                   std::move(one.heritage.senses)};
@@ -188,7 +187,7 @@ std::variant<ToLive, Exit> FindInRun(const SimulateCommand& command, Io& io) {
   return ToLive{std::move(one.genotype), std::move(*other), {}};
 }
 
-std::variant<ToLive, Exit> Find(const SimulateCommand& command, Io& io) {
+Expected<ToLive, Exit> Find(const SimulateCommand& command, Io& io) {
   if (!command.individual.empty()) return FindInRun(command, io);
   if (!IsRobotNamed(command.file, "", io)) return Exit::kBadUsage;
   auto program = LoadProgram(command.file, false, io);
@@ -221,8 +220,8 @@ Record LiveAll(const SimulateCommand& command, const ToLive& one, Io& io) {
 
 Exit Run(const SimulateCommand& command, Io& io) {
   const auto found = Find(command, io);
-  if (const Exit* exit = std::get_if<Exit>(&found)) return *exit;
-  const auto& [genotype, scenario, inherited] = std::get<ToLive>(found);
+  if (!found) return found.error();
+  const auto& [genotype, scenario, inherited] = *found;
   if (!CanLive(scenario, genotype, io) || !CanWriteAll(command, scenario, io))
     return Exit::kBadInput;
 
@@ -239,7 +238,7 @@ Exit Run(const SimulateCommand& command, Io& io) {
              std::string(kScenarioMark) + PrintScenario(scenario), io))
     return Exit::kBadInput;
   const InterruptHandler handler;
-  const Record record = LiveAll(command, std::get<ToLive>(found), io);
+  const Record record = LiveAll(command, *found, io);
   if (command.descriptors && command.format == OutputFormat::kText)
     PrintDescriptors(record.results, io.out);
   bool is_written = record.is_written;

@@ -39,17 +39,16 @@ Exit ReportGenotype(const LoadedFile& file, std::size_t index,
   const Program& program = file.all[index].program;
   const auto environments = EnvironmentsOf(program, command.environments, io);
   if (!environments) return Exit::kBadUsage;
-  const StatsResult result = StatsOf(program.genotype, *environments);
-  if (!result.stats) {
+  const auto stats = StatsOf(program.genotype, *environments);
+  if (!stats) {
     ReportGrowth({file.source, file.all[index]},
-                 (*environments)[result.outgrown_in], io);
+                 (*environments)[stats.error().environment], io);
     return Exit::kBadInput;
   }
   if (command.format == OutputFormat::kJson)
-    io.out << StatsJson(PathOf(file, index), program.genotype, *result.stats)
-           << '\n';
+    io.out << StatsJson(PathOf(file, index), program.genotype, *stats) << '\n';
   else
-    io.out << StatsText(program.genotype, *result.stats) << '\n';
+    io.out << StatsText(program.genotype, *stats) << '\n';
   return Exit::kFine;
 }
 

@@ -6,6 +6,7 @@
 #include "grammar/shown_line.h"
 #include "runtime/cli/arguments/study.h"
 #include "runtime/cli/files/load_yaml.h"
+#include "runtime/cli/files/open_run.h"
 #include "runtime/cli/running/interrupt.h"
 #include "runtime/cli/running/run_experiment.h"
 #include "runtime/store/shared_cache.h"
@@ -24,7 +25,7 @@ std::optional<std::vector<StudyRun>> ChosenRuns(const Study& study,
                                                 const std::string& shard,
                                                 Io& io) {
   if (const auto problem = CheckOnly(study, only)) {
-    io.err << fmt::format("error: {}\n", Escaped(*problem));
+    Complain(*problem, io);
     return std::nullopt;
   }
   return RunsIn(study, only, ParseShard(shard).value_or(Shard{}));
@@ -61,8 +62,7 @@ RunEnd Execute(const RunTask& task, const StudyRunCommand& command, Io& io) {
 }
 
 /// The cache first: where it cannot be opened, no folder is made.
-std::optional<std::string> Prepare(const StudyRunCommand& command,
-                                   const Study& study) {
+MaybeFailure Prepare(const StudyRunCommand& command, const Study& study) {
   SharedCache cache;
   if (!command.cache.empty())
     if (auto failure = cache.Open(command.cache)) return failure;
@@ -160,16 +160,14 @@ Exit Run(const StudyRunCommand& command, Io& io) {
   if (!study) return Exit::kBadInput;
   const auto runs = ChosenRuns(*study, command.only, command.shard, io);
   if (!runs) return Exit::kBadInput;
-  if (const auto failure = Prepare(command, *study)) {
-    io.err << fmt::format("error: {}\n", Escaped(*failure));
-    return Exit::kBadInput;
-  }
+  if (const auto failure = Prepare(command, *study))
+    return Complain(*failure, io);
   const InterruptHandler handler;
   StudyOptions options;
   options.execute = [&](const RunTask& task) {
     // Another study's folder, or none, may be there since the last run.
     if (const auto failure = CheckFolder(command.output, *study)) {
-      io.err << fmt::format("error: {}\n", *failure);
+      io.err << fmt::format("error: {}\n", failure->text);
       return RunEnd::kFailed;
     }
     return Execute(task, command, io);

@@ -96,9 +96,9 @@ void PrintTotals(const Totals& totals, std::ostream& out) {
 }  // namespace
 
 Exit Run(const StudyStatusCommand& command, Io& io) {
-  const Loaded<Study> study = StudyIn(command.folder);
+  const Expected<Study, Failure> study = StudyIn(command.folder);
   if (!study) {
-    io.err << fmt::format("error: {}\n", Escaped(study.failure()));
+    io.err << fmt::format("error: {}\n", Escaped(study.error().text));
     return Exit::kBadInput;
   }
   const bool is_text = command.format == OutputFormat::kText;

@@ -4,7 +4,6 @@
 
 #include <ostream>
 #include <utility>
-#include <variant>
 
 #include "grammar/shown_line.h"
 #include "runtime/cli/commands/view_lives.h"
@@ -22,10 +21,10 @@ namespace {
 /// elements answers slowly to the pointer. The paper's have hundreds.
 constexpr std::size_t kMostSymbols = 20000;
 
-std::variant<ExplainedRobot, Exit> ExplainOne(const RobotAsked& asked, Io& io) {
+Expected<ExplainedRobot, Exit> ExplainOne(const RobotAsked& asked, Io& io) {
   auto found = FindRobot(asked, io);
-  if (const Exit* failed = std::get_if<Exit>(&found)) return *failed;
-  RobotFound& robot = std::get<RobotFound>(found);
+  if (!found) return found.error();
+  RobotFound& robot = *found;
   const Genotype& genotype = robot.loaded.mapped.program.genotype;
   ExplainedRobot explained{
       robot.title, robot.loaded.source, genotype, robot.loaded.mapped.map, {}};
@@ -90,8 +89,8 @@ Exit Explain(const ViewCommand& command, Io& io) {
   std::vector<ExplainedRobot> robots;
   for (const RobotAsked& one : *asked) {
     auto robot = ExplainOne(one, io);
-    if (const Exit* failed = std::get_if<Exit>(&robot)) return *failed;
-    robots.push_back(std::move(std::get<ExplainedRobot>(robot)));
+    if (!robot) return robot.error();
+    robots.push_back(std::move(*robot));
   }
   const std::string page =
       PageHtml(PageKind::kExplain, robots.front().title + " explained",

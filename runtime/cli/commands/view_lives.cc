@@ -24,7 +24,7 @@ namespace plsc::cli {
 namespace {
 
 /// Who is to be lived, with all that is known of the life already.
-struct ToLive {
+struct LifeToView {
   std::string source;
   Genotype genotype;
   Scenario scenario;
@@ -33,7 +33,7 @@ struct ToLive {
   Versions versions;
   std::vector<SeasonResult> stored;
 };
-using Viewed = std::variant<ViewedLife, ToLive>;
+using Viewed = std::variant<ViewedLife, LifeToView>;
 
 // What a page has to be called by, whatever folder it was made in.
 std::string FileName(const std::string& path) {
@@ -83,7 +83,8 @@ std::optional<Viewed> LoadGenotype(const std::string& path,
   const auto program = LoadProgram(path, false, io);
   if (!program || !CanLive(scenario, program->genotype, io))
     return std::nullopt;
-  return ToLive{FileName(path), program->genotype, scenario, {}, "", {}, {}};
+  return LifeToView{
+      FileName(path), program->genotype, scenario, {}, "", {}, {}};
 }
 
 bool LoadRobots(const ViewInput& input, std::vector<Viewed>& viewed, Io& io) {
@@ -92,24 +93,24 @@ bool LoadRobots(const ViewInput& input, std::vector<Viewed>& viewed, Io& io) {
     Complain(*failure, io);
     return false;
   }
-  const Loaded<std::vector<int>> ids = IdsOf(store, input.robots);
+  const Expected<std::vector<int>, Failure> ids = IdsOf(store, input.robots);
   if (!ids) {
-    Complain(ids.failure(), io);
+    Complain(ids.error(), io);
     return false;
   }
   for (const int id : *ids) {
-    Loaded<Individual> one = store.Find(id);
+    Expected<Individual, Failure> one = store.Find(id);
     if (!one) {
-      Complain(one.failure(), io);
+      Complain(one.error(), io);
       return false;
     }
     const std::string source =
         fmt::format("{}, robot {}", FileName(input.path), id);
     // Nobody who was bred for another scenario is in a store.
-    viewed.emplace_back(
-        ToLive{source, std::move(one->genotype), store.experiment().scenario,
-               std::move(one->heritage.senses), input.path, store.versions(),
-               std::move(one->evaluation.seasons)});
+    viewed.emplace_back(LifeToView{
+        source, std::move(one->genotype), store.experiment().scenario,
+        std::move(one->heritage.senses), input.path, store.versions(),
+        std::move(one->evaluation.seasons)});
   }
   return true;
 }
@@ -134,7 +135,8 @@ bool IsSame(const std::vector<SeasonResult>& stored,
                     });
 }
 
-std::string RemarkOn(const ToLive& one, const std::vector<SeasonResult>& now) {
+std::string RemarkOn(const LifeToView& one,
+                     const std::vector<SeasonResult>& now) {
   if (one.run.empty()) return "";
   if (one.stored.empty()) return "not evaluated yet in the run";
   if (IsSame(one.stored, now)) return "";
@@ -143,7 +145,7 @@ std::string RemarkOn(const ToLive& one, const std::vector<SeasonResult>& now) {
       VersionsText(one.versions));
 }
 
-std::optional<ViewedLife> LiveNow(const ToLive& one, Io& io) {
+std::optional<ViewedLife> LiveNow(const LifeToView& one, Io& io) {
   RecordedLife life(one.genotype, one.scenario, one.inherited, true, io);
   std::vector<SeasonResult> results;
   while (!life.is_over()) {
@@ -186,7 +188,7 @@ std::optional<std::vector<ViewedLife>> LoadLives(const ViewCommand& command,
       lives.push_back(std::move(*life));
       continue;
     }
-    auto life = LiveNow(std::get<ToLive>(one), io);
+    auto life = LiveNow(std::get<LifeToView>(one), io);
     if (!life) return std::nullopt;
     lives.push_back(std::move(*life));
   }

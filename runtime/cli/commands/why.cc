@@ -3,7 +3,6 @@
 
 #include <nlohmann/json.hpp>
 #include <ostream>
-#include <variant>
 
 #include "compiler/print.h"
 #include "grammar/number.h"
@@ -139,8 +138,8 @@ struct Question {
 };
 
 // Of a file, or of a run, whose seasons are the environments then.
-std::variant<LoadedProgram, Exit> Load(const WhyCommand& command,
-                                       const FileAndPlace& from, Io& io) {
+Expected<LoadedProgram, Exit> Load(const WhyCommand& command,
+                                   const FileAndPlace& from, Io& io) {
   if (!IsRobotNamed(from.file, command.individual, io)) return Exit::kBadUsage;
   if (command.individual.empty()) {
     auto loaded = LoadWithMap(from.file, command.allow_range, io, from.place);
@@ -150,8 +149,8 @@ std::variant<LoadedProgram, Exit> Load(const WhyCommand& command,
   auto found = FindRobot({from.file, command.individual, command.environments,
                           command.allow_range},
                          io);
-  if (const Exit* exit = std::get_if<Exit>(&found)) return *exit;
-  return std::move(std::get<RobotFound>(found).loaded);
+  if (!found) return found.error();
+  return std::move(found->loaded);
 }
 
 Exit Explain(const LoadedProgram& loaded, const Question& question,
@@ -200,8 +199,8 @@ Exit Run(const WhyCommand& command, Io& io) {
     return Exit::kBadUsage;
   }
   const auto found = Load(command, from, io);
-  if (const Exit* exit = std::get_if<Exit>(&found)) return *exit;
-  const auto& loaded = std::get<LoadedProgram>(found);
+  if (!found) return found.error();
+  const auto& loaded = *found;
   const Genotype& genotype = loaded.mapped.program.genotype;
   if (question.part && !genotype.alphabet->is_built_in()) {
     io.err << fmt::format("error: alphabet '{}' has no bodies to ask about\n",

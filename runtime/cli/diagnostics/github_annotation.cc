@@ -38,7 +38,7 @@ std::string Clip(std::string_view text) {
   return Printable(text, kMaxMessage);
 }
 
-std::string MessageOf(const Diagnostic& diagnostic) {
+std::string ClippedMessage(const Diagnostic& diagnostic) {
   std::string text = Clip(diagnostic.message);
   if (!diagnostic.label.empty()) text += "\n" + Clip(diagnostic.label);
   for (const std::string& note : diagnostic.notes)
@@ -61,7 +61,7 @@ std::string GithubAnnotation(const Diagnostic& diagnostic,
   // Columns only mean something to GitHub within one line.
   if (begin.line == end.line) text += fmt::format(",endColumn={}", end.column);
   return text + fmt::format(",title={}::{}", NumberOf(diagnostic.code),
-                            Data(MessageOf(diagnostic)));
+                            Data(ClippedMessage(diagnostic)));
 }
 
 }  // namespace plsc::cli

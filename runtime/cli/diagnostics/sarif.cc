@@ -62,7 +62,7 @@ Json LocationOf(Span span, const Source& source) {
   return location;
 }
 
-std::string MessageOf(const Diagnostic& diagnostic) {
+std::string WholeMessage(const Diagnostic& diagnostic) {
   std::string text = diagnostic.message;
   if (!diagnostic.label.empty()) text += ": " + diagnostic.label;
   for (const std::string& note : diagnostic.notes) text += "\nnote: " + note;
@@ -95,7 +95,7 @@ Json ResultOf(const Diagnostic& diagnostic, const Source& source,
     result["ruleIndex"] = rule->second;
   }
   result["level"] = LevelOf(diagnostic.severity);
-  result["message"]["text"] = MessageOf(diagnostic);
+  result["message"]["text"] = WholeMessage(diagnostic);
   result["locations"] = Json::array({LocationOf(diagnostic.span, source)});
   if (!diagnostic.others.empty()) {
     result["relatedLocations"] = Json::array();

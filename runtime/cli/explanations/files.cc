@@ -6,7 +6,7 @@ namespace plsc::cli {
 
 namespace {
 
-constexpr Explanation kRows[] = {
+constexpr Explanation kFileRows[] = {
     {Code::kMissingVersion, ExampleKind::kGenotype,
      R"(A genotype file starts with the language that it is written in: 'plsc
 1'. The version is a whole number.
@@ -111,7 +111,7 @@ program.
 }  // namespace
 
 std::span<const Explanation> FileExplanations() {
-  return kRows;
+  return kFileRows;
 }
 
 }  // namespace plsc::cli

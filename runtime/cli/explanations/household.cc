@@ -6,7 +6,7 @@ namespace plsc::cli {
 
 namespace {
 
-constexpr Explanation kRows[] = {
+constexpr Explanation kHouseholdRows[] = {
     {Code::kTooManyEnvironments, ExampleKind::kTrim,
      R"('plsc trim' develops the robot of every environment that the clauses tell
 apart, before and after, and here there are too many (more than 65,536, or
@@ -67,7 +67,7 @@ does not have. The genotype is translated all the same.
 }  // namespace
 
 std::span<const Explanation> HouseholdExplanations() {
-  return kRows;
+  return kHouseholdRows;
 }
 
 }  // namespace plsc::cli

@@ -6,7 +6,7 @@ namespace plsc::cli {
 
 namespace {
 
-constexpr Explanation kRows[] = {
+constexpr Explanation kNameRows[] = {
     {Code::kUnknownSymbol, ExampleKind::kGenotype,
      R"(The alphabet of the file has no such symbol. The names of 'plasticoding
 1' are those of the paper's Table 1 and distinguish capital and small
@@ -288,7 +288,7 @@ test arm after 1 -> body C { left A1 { front B } }
 }  // namespace
 
 std::span<const Explanation> NameExplanations() {
-  return kRows;
+  return kNameRows;
 }
 
 }  // namespace plsc::cli

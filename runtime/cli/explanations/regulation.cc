@@ -6,7 +6,7 @@ namespace plsc::cli {
 
 namespace {
 
-constexpr Explanation kRows[] = {
+constexpr Explanation kRegulationRows[] = {
     {Code::kOwnLimit, ExampleKind::kGenotype,
      R"(max_terms and max_rules are promises of the file, here not kept: a
 clause has more terms, or a symbol more rules, than they allow.
@@ -263,7 +263,7 @@ rule C -> { C add_front B move_front }
 }  // namespace
 
 std::span<const Explanation> RegulationExplanations() {
-  return kRows;
+  return kRegulationRows;
 }
 
 }  // namespace plsc::cli

@@ -6,7 +6,7 @@ namespace plsc::cli {
 
 namespace {
 
-constexpr Explanation kRows[] = {
+constexpr Explanation kSyntaxRows[] = {
     {Code::kUnknownItem, ExampleKind::kGenotype,
      R"(Each item of a file begins with a keyword: rule, sense, let, environment
 and so on. Here something else stands where an item should begin: often
@@ -260,7 +260,7 @@ let x = -0.5
 }  // namespace
 
 std::span<const Explanation> SyntaxExplanations() {
-  return kRows;
+  return kSyntaxRows;
 }
 
 }  // namespace plsc::cli

@@ -6,7 +6,7 @@ namespace plsc::cli {
 
 namespace {
 
-constexpr Explanation kRows[] = {
+constexpr Explanation kYamlRows[] = {
     {Code::kNotYamlOrJson, ExampleKind::kExperiment,
      R"(The file does not follow the syntax of YAML (a scenario, an experiment)
 or of JSON (a golden file, a recording); the message is that of the
@@ -121,7 +121,7 @@ scenario:
 }  // namespace
 
 std::span<const Explanation> YamlExplanations() {
-  return kRows;
+  return kYamlRows;
 }
 
 }  // namespace plsc::cli

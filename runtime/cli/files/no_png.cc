@@ -2,9 +2,10 @@
 
 namespace plsc::cli {
 
-Loaded<std::string> PngOf(const std::string& /*svg*/, double /*scale*/,
-                          const PngLibraries& /*libraries*/) {
-  return Loaded<std::string>::Failed(
+Expected<std::string, Failure> PngOf(const std::string& /*svg*/,
+                                     double /*scale*/,
+                                     const PngLibraries& /*libraries*/) {
+  return Failure(
       "cannot make a PNG: this plsc was built without librsvg; write an .svg, "
       "of which rsvg-convert or a browser makes a PNG");
 }

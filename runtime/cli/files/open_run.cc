@@ -24,44 +24,41 @@ bool IsDatabase(const std::string& path) {
          std::string_view(begin.data(), begin.size()) == kMagic;
 }
 
-Exit Complain(const std::string& failure, Io& io) {
-  io.err << fmt::format("error: {}\n", Escaped(failure));
+Exit Complain(const Failure& failure, Io& io) {
+  io.err << fmt::format("error: {}\n", Escaped(failure.text));
   return Exit::kBadInput;
 }
 
-Loaded<int> IdOf(RunStore& store, const std::string& name) {
-  using Id = Loaded<int>;
+Expected<int, Failure> IdOf(RunStore& store, const std::string& name) {
   if (name == "best") {
-    const Loaded<RunStatus> status = store.Status();
-    if (!status) return Id::Failed(status.failure());
+    const Expected<RunStatus, Failure> status = store.Status();
+    if (!status) return status.error();
     if (status->best == 0)
-      return Id::Failed("no generation is completed yet, so nobody is best");
+      return Failure("no generation is completed yet, so nobody is best");
     return status->best;
   }
   const std::optional<int> id = ParseNumber<int>(name);
   if (!id || *id < 1)
-    return Id::Failed(fmt::format(
+    return Failure(fmt::format(
         "expected the number of a robot, from 1, or best; found '{}'", name));
   return *id;
 }
 
-Loaded<std::vector<int>> IdsOf(RunStore& store,
-                               const std::vector<std::string>& names) {
-  using Ids = Loaded<std::vector<int>>;
+Expected<std::vector<int>, Failure> IdsOf(
+    RunStore& store, const std::vector<std::string>& names) {
   std::vector<int> ids;
   for (const std::string& name :
        names.empty() ? std::vector<std::string>{"best"} : names) {
-    const Loaded<int> id = IdOf(store, name);
-    if (!id) return Ids::Failed(id.failure());
+    const Expected<int, Failure> id = IdOf(store, name);
+    if (!id) return id.error();
     ids.push_back(*id);
   }
   return ids;
 }
 
-Loaded<std::vector<int>> EvaluatedIds(RunStore& store) {
-  Loaded<std::vector<int>> ids = store.EvaluatedIds();
-  if (ids && ids->empty())
-    return Loaded<std::vector<int>>::Failed("nobody is evaluated yet");
+Expected<std::vector<int>, Failure> EvaluatedIds(RunStore& store) {
+  Expected<std::vector<int>, Failure> ids = store.EvaluatedIds();
+  if (ids && ids->empty()) return Failure("nobody is evaluated yet");
   return ids;
 }
 

@@ -15,15 +15,15 @@ namespace plsc::cli {
 bool IsDatabase(const std::string& path);
 
 /// "error: ..." and the exit status for it.
-Exit Complain(const std::string& failure, Io& io);
+Exit Complain(const Failure& failure, Io& io);
 
 /// A number, or "best": the best of the last completed generation.
-Loaded<int> IdOf(RunStore& store, const std::string& name);
+Expected<int, Failure> IdOf(RunStore& store, const std::string& name);
 /// Likewise; the best if there are no names.
-Loaded<std::vector<int>> IdsOf(RunStore& store,
-                               const std::vector<std::string>& names);
+Expected<std::vector<int>, Failure> IdsOf(
+    RunStore& store, const std::vector<std::string>& names);
 /// Everybody who was evaluated, by id.
-Loaded<std::vector<int>> EvaluatedIds(RunStore& store);
+Expected<std::vector<int>, Failure> EvaluatedIds(RunStore& store);
 
 /// "plsc 0.1.0, ODE 0.16.2, compiler 12.2.0".
 std::string VersionsText(const Versions& versions);

@@ -98,7 +98,7 @@ cairo_status_t Append(void* closure, const unsigned char* data,
   }
 }
 
-using Png = Loaded<std::string>;
+using Png = Expected<std::string, Failure>;
 template <typename T, typename Argument = T>
 using Owned = std::unique_ptr<T, void (*)(Argument*)>;
 
@@ -108,35 +108,35 @@ Png Draw(const Functions& call, RsvgHandle* handle, const RsvgRectangle& size) {
                           static_cast<int>(size.height)),
       call.surface_destroy);
   if (call.surface_status(surface.get()) != CAIRO_STATUS_SUCCESS)
-    return Png::Failed("cannot make a PNG: not enough memory");
+    return Failure("cannot make a PNG: not enough memory");
   {
     const Owned<cairo_t> context(call.create(surface.get()), call.destroy);
     if (call.render(handle, context.get(), &size, nullptr) == FALSE)
-      return Png::Failed("cannot make a PNG: librsvg cannot draw the picture");
+      return Failure("cannot make a PNG: librsvg cannot draw the picture");
   }
   std::string png;
   if (call.write_png(surface.get(), Append, &png) != CAIRO_STATUS_SUCCESS)
-    return Png::Failed("cannot make a PNG: cairo cannot write the picture");
+    return Failure("cannot make a PNG: cairo cannot write the picture");
   return png;
 }
 
 }  // namespace
 
-Loaded<std::string> PngOf(const std::string& svg, double scale,
-                          const PngLibraries& libraries) {
+Expected<std::string, Failure> PngOf(const std::string& svg, double scale,
+                                     const PngLibraries& libraries) {
   const Library rsvg(libraries.rsvg);
   const Library cairo(libraries.cairo);
   const Library gobject(libraries.gobject);
   for (const Library* library : {&rsvg, &cairo, &gobject})
     if (!library->is_open())
-      return Png::Failed(fmt::format(
+      return Failure(fmt::format(
           "cannot make a PNG: the library {} is missing; install the package "
           "librsvg2-2 (apt-get install librsvg2-2 fonts-dejavu-core), or write "
           "an .svg",
           library->name()));
   Functions call;
   if (!call.Find(rsvg, cairo, gobject))
-    return Png::Failed(
+    return Failure(
         "cannot make a PNG: librsvg 2.52 or newer is needed, or write an .svg");
   const Owned<RsvgHandle, void> handle(
       call.new_from_data(reinterpret_cast<const unsigned char*>(svg.data()),
@@ -145,14 +145,14 @@ Loaded<std::string> PngOf(const std::string& svg, double scale,
   double width = 0;
   double height = 0;
   if (!handle || call.intrinsic_size(handle.get(), &width, &height) == FALSE)
-    return Png::Failed("cannot make a PNG: librsvg cannot read the picture");
+    return Failure("cannot make a PNG: librsvg cannot read the picture");
   const RsvgRectangle size{0, 0, std::round(width * scale),
                            std::round(height * scale)};
   const auto is_drawable = [](double pixels) {
     return pixels >= 1 && pixels <= kMostPixels;  // and so not NaN
   };
   if (!is_drawable(size.width) || !is_drawable(size.height))
-    return Png::Failed(fmt::format(
+    return Failure(fmt::format(
         "cannot make a PNG of {} x {} pixels: expected 1 to {} a side; choose "
         "another --scale",
         size.width, size.height, kMostPixels));

@@ -7,7 +7,8 @@
 
 #include <string>
 
-#include "runtime/store/loaded.h"
+#include "grammar/expected.h"
+#include "grammar/failure.h"
 
 namespace plsc::cli {
 
@@ -19,7 +20,7 @@ struct PngLibraries {
 };
 
 /// The bytes of a PNG of `scale` pixels per px of the SVG; or what is missing.
-Loaded<std::string> PngOf(const std::string& svg, double scale,
-                          const PngLibraries& libraries = {});
+Expected<std::string, Failure> PngOf(const std::string& svg, double scale,
+                                     const PngLibraries& libraries = {});
 
 }  // namespace plsc::cli

@@ -7,7 +7,7 @@
 
 #include "runtime/cli/files/io.h"
 #include "runtime/cli/running/simulation_watch.h"
-#include "runtime/life/evaluation.h"
+#include "runtime/life/life.h"
 #include "runtime/recording/recording.h"
 
 namespace plsc::cli {

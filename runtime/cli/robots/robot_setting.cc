@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <ostream>
 
-#include "runtime/life/evaluation.h"
 #include "runtime/scenario/scenario_profile.h"
 
 namespace plsc::cli {

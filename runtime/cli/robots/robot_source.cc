@@ -29,10 +29,10 @@ std::vector<NamedEnvironment> SeasonsOf(const Individual& one) {
   return seasons;
 }
 
-std::variant<RobotFound, Exit> FindInRun(const RobotAsked& asked, Io& io) {
+Expected<RobotFound, Exit> FindInRun(const RobotAsked& asked, Io& io) {
   auto in_store = FindInStore(asked.file, asked.individual, io);
-  if (const Exit* exit = std::get_if<Exit>(&in_store)) return *exit;
-  auto& [one, scenario] = std::get<RobotOfRun>(in_store);
+  if (!in_store) return in_store.error();
+  auto& [one, scenario] = *in_store;
   // As `plsc show --genotype` prints it, so that its lines are known.
   Source source(one.genotype.name + ".pls", Print(one.genotype));
   CompileOptions options;
@@ -56,7 +56,7 @@ std::variant<RobotFound, Exit> FindInRun(const RobotAsked& asked, Io& io) {
   return found;
 }
 
-std::variant<RobotFound, Exit> FindInFile(const RobotAsked& asked, Io& io) {
+Expected<RobotFound, Exit> FindInFile(const RobotAsked& asked, Io& io) {
   if (!IsRobotNamed(asked.file, "", io)) return Exit::kBadUsage;
   auto loaded = LoadWithMap(asked.file, asked.allow_range, io);
   if (!loaded) return Exit::kBadInput;
@@ -82,16 +82,15 @@ bool PutInto(const std::string& scenario_file, RobotFound& robot, Io& io) {
 
 }  // namespace
 
-std::variant<RobotOfRun, Exit> FindInStore(const std::string& run,
-                                           const std::string& individual,
-                                           Io& io) {
+Expected<RobotOfRun, Exit> FindInStore(const std::string& run,
+                                       const std::string& individual, Io& io) {
   RunStore store;
   if (const auto failure = store.OpenForReading(run))
     return Complain(*failure, io);
-  const Loaded<int> id = IdOf(store, individual);
-  if (!id) return Complain(id.failure(), io);
-  Loaded<Individual> one = store.Find(*id);
-  if (!one) return Complain(one.failure(), io);
+  const Expected<int, Failure> id = IdOf(store, individual);
+  if (!id) return Complain(id.error(), io);
+  Expected<Individual, Failure> one = store.Find(*id);
+  if (!one) return Complain(one.error(), io);
   return RobotOfRun{std::move(*one), store.experiment().scenario};
 }
 
@@ -104,11 +103,11 @@ bool IsRobotNamed(const std::string& file, const std::string& individual,
   return false;
 }
 
-std::variant<RobotFound, Exit> FindRobot(const RobotAsked& asked, Io& io) {
+Expected<RobotFound, Exit> FindRobot(const RobotAsked& asked, Io& io) {
   auto found =
       asked.individual.empty() ? FindInFile(asked, io) : FindInRun(asked, io);
-  if (std::holds_alternative<Exit>(found)) return found;
-  RobotFound& robot = std::get<RobotFound>(found);
+  if (!found) return found;
+  RobotFound& robot = *found;
   if (!asked.scenario.empty() && !PutInto(asked.scenario, robot, io))
     return Exit::kBadInput;
   auto environments =

@@ -6,9 +6,9 @@
 
 #include <optional>
 #include <string>
-#include <variant>
 #include <vector>
 
+#include "grammar/expected.h"
 #include "runtime/cli/files/io.h"
 #include "runtime/cli/files/load_program.h"
 #include "runtime/evolve/individual.h"
@@ -37,7 +37,7 @@ struct RobotFound {
 /// Of the built-in alphabet. Prints what is wrong, which is also the exit
 /// status. Without `environments`: all of the file, or all seasons that the
 /// robot lived to develop in.
-std::variant<RobotFound, Exit> FindRobot(const RobotAsked& asked, Io& io);
+Expected<RobotFound, Exit> FindRobot(const RobotAsked& asked, Io& io);
 
 /// Somebody of a run, and how it lives there.
 struct RobotOfRun {
@@ -45,9 +45,8 @@ struct RobotOfRun {
   Scenario scenario;
 };
 /// By an id or "best". Prints what is wrong.
-std::variant<RobotOfRun, Exit> FindInStore(const std::string& run,
-                                           const std::string& individual,
-                                           Io& io);
+Expected<RobotOfRun, Exit> FindInStore(const std::string& run,
+                                       const std::string& individual, Io& io);
 
 /// False if the file is a run and nobody of it is named, which is said.
 bool IsRobotNamed(const std::string& file, const std::string& individual,

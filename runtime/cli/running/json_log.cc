@@ -86,7 +86,7 @@ std::optional<std::string> ProblemOfLog(const std::string& path) {
 JsonLog::JsonLog(std::ostream& standard_output)
     : standard_output_(standard_output), clock_(Stopwatch()) {}
 
-std::optional<std::string> JsonLog::Open(const std::string& path) {
+MaybeFailure JsonLog::Open(const std::string& path) {
   path_ = path;
   if (path == "-") {
     path_ = "standard output";

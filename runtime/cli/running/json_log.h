@@ -7,10 +7,10 @@
 #include <cstdint>
 #include <fstream>
 #include <functional>
-#include <optional>
 #include <ostream>
 #include <string>
 
+#include "grammar/failure.h"
 #include "runtime/cli/running/pace.h"
 #include "runtime/evolve/evolve.h"
 
@@ -34,7 +34,7 @@ class JsonLog {
   /// Lines are appended to a log that exists, so a run that goes on continues
   /// it; to another file nothing is. What went wrong, as "cannot write to 'x':
   /// Permission denied".
-  std::optional<std::string> Open(const std::string& path);
+  MaybeFailure Open(const std::string& path);
 
   /// As if it had not been opened: a file that Open made is deleted.
   void Discard();
@@ -47,7 +47,7 @@ class JsonLog {
   void Finish(Ending ending, const std::string& failure);
 
   /// The first line that could not be written (a full disk); no more are.
-  const std::optional<std::string>& failure() const { return failure_; }
+  const MaybeFailure& failure() const { return failure_; }
 
   /// For tests.
   void SetClock(std::function<double()> clock) { clock_ = std::move(clock); }
@@ -61,7 +61,7 @@ class JsonLog {
   std::ostream* out_ = nullptr;  // nullptr: not open
   std::string path_;
   bool is_new_ = false;  // made by Open
-  std::optional<std::string> failure_;
+  MaybeFailure failure_;
   std::function<double()> clock_;  // s since the log was made
   PaceMeter meter_;
   Progress last_;

@@ -38,8 +38,6 @@ namespace plsc::cli {
 
 namespace {
 
-using Failure = std::optional<std::string>;
-
 double CpuSeconds(int who) {
   rusage usage{};
   ::getrusage(who, &usage);
@@ -61,11 +59,12 @@ bool IsNew(const RunRequest& request) {
 }
 
 /// The store of a run to go on with, or what is wrong.
-Failure OpenStore(const RunRequest& request, RunStore& store) {
-  if (Failure failure = store.Open(request.path, request.allow_other_version)) {
+MaybeFailure OpenStore(const RunRequest& request, RunStore& store) {
+  if (MaybeFailure failure =
+          store.Open(request.path, request.allow_other_version)) {
     // So damaged that the store has no more to say.
-    if (failure->ends_with("is malformed"))
-      *failure += fmt::format(
+    if (failure->kind == Failure::Kind::kMalformed)
+      failure->text += fmt::format(
           "; 'plsc evolve --salvage {} -o NEW' makes the run again with the "
           "simulations that are whole",
           request.path);
@@ -91,15 +90,14 @@ std::unique_ptr<Workers> WorkersFor(const RunRequest& request,
 }
 
 /// A damaged run and an experiment for the new one, or what is wrong.
-Failure OpenSalvage(RunRequest& request, Salvage& salvage, Io& io) {
-  if (Failure failure = salvage.Open(request.salvage)) return failure;
+MaybeFailure OpenSalvage(RunRequest& request, Salvage& salvage, Io& io) {
+  if (MaybeFailure failure = salvage.Open(request.salvage)) return failure;
   const std::optional<Experiment>& own = salvage.experiment();
   if (!own && !request.experiment)
     return fmt::format(
         "what '{}' is a run of cannot be read: name the experiment's file, too",
         request.salvage);
-  if (own && request.experiment &&
-      !AreSame(*own, *request.experiment))
+  if (own && request.experiment && !AreSame(*own, *request.experiment))
     return fmt::format("'{}' is a run of another experiment or seed",
                        request.salvage);
   if (!request.allow_other_version && salvage.versions() != ThisProgram())
@@ -179,29 +177,31 @@ void ExecuteRest(const RunRequest& request, Stores& stores, SavedRun saved,
 }
 
 /// The shared cache and the log, if they are wanted.
-Failure OpenOthers(const RunRequest& request, Stores& stores) {
+MaybeFailure OpenOthers(const RunRequest& request, Stores& stores) {
   if (!request.json_log.empty())
-    if (Failure failure = stores.log.Open(request.json_log)) return failure;
+    if (MaybeFailure failure = stores.log.Open(request.json_log))
+      return failure;
   if (request.cache.empty()) return std::nullopt;
   return stores.cache.emplace().Open(request.cache);
 }
 
 /// All that the run needs, its session begun. What is there already is opened,
 /// and looked through, before anything is made.
-Failure OpenAll(const RunRequest& request, Stores& stores,
-                RunOutcome& outcome) {
+MaybeFailure OpenAll(const RunRequest& request, Stores& stores,
+                     RunOutcome& outcome) {
   const bool is_new = IsNew(request);
   RunStore& store = stores.run;
-  const auto check_lock = [&](Failure failure) {
+  const auto check_lock = [&](MaybeFailure failure) {
     if (failure) outcome.is_locked = WhoWorksOn(request.path).has_value();
     return failure;
   };
-  if (Failure failure = check_lock(is_new ? RunStore::CheckCreate(request.path)
-                                          : OpenStore(request, store)))
+  if (MaybeFailure failure =
+          check_lock(is_new ? RunStore::CheckCreate(request.path)
+                            : OpenStore(request, store)))
     return failure;
-  if (Failure failure = OpenOthers(request, stores)) return failure;
+  if (MaybeFailure failure = OpenOthers(request, stores)) return failure;
   if (is_new)
-    if (Failure failure =
+    if (MaybeFailure failure =
             check_lock(store.Create(request.path, *request.experiment)))
       return failure;
   return store.BeginSession({UtcNow(), request.jobs.value_or(0)});
@@ -249,34 +249,34 @@ Exit ExitOf(const RunOutcome& outcome, const std::string& path, Io& io) {
 RunOutcome ExecuteRun(const RunRequest& asked, Io& io) {
   RunRequest request = asked;
   RunOutcome outcome;
-  const auto complain = [&](const std::string& failure) {
+  const auto complain = [&](const Failure& failure) {
     outcome.exit = Complain(failure, io);
     return outcome;
   };
   Stores stores{{}, {}, {}, JsonLog(io.out)};
   RunStore& store = stores.run;
   if (!request.salvage.empty())
-    if (const Failure failure =
+    if (const MaybeFailure failure =
             OpenSalvage(request, stores.salvage.emplace(), io))
       return complain(*failure);
-  if (const Failure failure = OpenAll(request, stores, outcome)) {
+  if (const MaybeFailure failure = OpenAll(request, stores, outcome)) {
     stores.Discard();
     return complain(*failure);
   }
   outcome.experiment = store.experiment();
-  Loaded<SavedRun> saved = store.Load();
-  if (!saved) return complain(saved.failure());
+  Expected<SavedRun, Failure> saved = store.Load();
+  if (!saved) return complain(saved.error());
   ExecuteRest(request, stores, std::move(*saved), outcome, io);
-  for (const Failure& warning :
-       {stores.cache ? stores.cache->warning() : Failure(),
+  for (const MaybeFailure& warning :
+       {stores.cache ? stores.cache->warning() : MaybeFailure(),
         stores.log.failure()})
-    if (warning) io.err << fmt::format("warning: {}\n", Escaped(*warning));
-  Failure closing = store.EndSession(EndOf(outcome));
-  if (const Failure failure = store.Close(); failure && !closing)
+    if (warning) io.err << fmt::format("warning: {}\n", Escaped(warning->text));
+  MaybeFailure closing = store.EndSession(EndOf(outcome));
+  if (const MaybeFailure failure = store.Close(); failure && !closing)
     closing = failure;
   if (closing && outcome.result.ending != Ending::kFailed) {
     outcome.result.ending = Ending::kFailed;
-    outcome.result.failure = *closing;
+    outcome.result.failure = closing->text;
   }
   outcome.exit = store.is_lost() ? Complain(outcome.result.failure, io)
                                  : ExitOf(outcome, request.path, io);

@@ -14,7 +14,7 @@ namespace {
 
 // s. Fast enough to look alive, slow enough to cost nothing; a robot that is
 // done before the first gets no line.
-constexpr double kRedraw = 0.2;
+constexpr double kShowAgain = 0.2;
 // Steps between two looks at the clock: a look costs as much as 1/500 of a
 // step, and 32 steps of a large robot are still less than a redraw.
 constexpr std::int64_t kStepsPerLook = 32;
@@ -65,7 +65,7 @@ void SimulationWatch::Report(std::int64_t step) {
   const double now =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start_)
           .count();
-  if (now - shown_at_ < kRedraw) return;
+  if (now - shown_at_ < kShowAgain) return;
   shown_at_ = progress_.seconds = now;
   progress_.lived = static_cast<double>(step) * step_;
   const std::string text = ProgressText(progress_);

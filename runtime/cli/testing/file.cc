@@ -76,11 +76,12 @@ Chosen Choose(const Program& program, const std::string& text) {
 }
 
 std::string TooLong(const Genotype& genotype) {
-  return RenderWithoutLine({Code::kTooLongString,
-                     {},
-                     fmt::format("development would produce more than {} "
-                                 "symbols",
-                                 kMaxStringLength)}) +
+  return RenderWithoutLine(
+             {Code::kTooLongString,
+              {},
+              fmt::format("development would produce more than {} "
+                          "symbols",
+                          kMaxStringLength)}) +
          fmt::format(
              "  = help: lower 'iterations' (now {}), or let rules replace "
              "themselves by fewer modules\n",
@@ -115,14 +116,14 @@ TestCase TestOne(const Program& program, double tolerance, bool update,
 using Programs = std::vector<MappedProgram>;
 
 // As golden files name the genotypes of files with several.
-std::string NameIn(const Programs& programs, const Program& program) {
+std::string NameInFile(const Programs& programs, const Program& program) {
   return programs.size() == 1 ? "" : program.genotype.name;
 }
 
 // The genotype that a golden file means; null when there is none.
 const Program* Find(const Programs& programs, const std::string& name) {
   for (const MappedProgram& mapped : programs)
-    if (NameIn(programs, mapped.program) == name) return &mapped.program;
+    if (NameInFile(programs, mapped.program) == name) return &mapped.program;
   return nullptr;
 }
 
@@ -142,7 +143,7 @@ std::string UnknownGenotype(const Programs& programs, const std::string& name) {
 void AddNamed(const Programs& programs, Golden& golden) {
   for (const MappedProgram& mapped : programs)
     for (const NamedEnvironment& named : mapped.program.environments) {
-      const std::string genotype = NameIn(programs, mapped.program);
+      const std::string genotype = NameInFile(programs, mapped.program);
       const bool is_there = std::any_of(
           golden.cases.begin(), golden.cases.end(), [&](const GoldenCase& c) {
             return c.genotype == genotype && c.environment == named.name;
@@ -206,7 +207,7 @@ void TestInline(const Loaded& loaded, std::vector<TestCase>& cases) {
       const InlineTest& inline_test = mapped.program.tests[i];
       TestCase test;
       test.environment = inline_test.place;
-      test.genotype = NameIn(loaded.programs, mapped.program);
+      test.genotype = NameInFile(loaded.programs, mapped.program);
       test.test = inline_test.name;
       if (const auto failure = RunInlineTest(mapped, i)) {
         test.verdict = Verdict::kDiffers;
@@ -271,7 +272,7 @@ Golden NewGolden(const Programs& programs) {
   for (const MappedProgram& mapped : programs)
     for (std::string& name : DefaultEnvironments(mapped.program))
       golden.cases.push_back(
-          {std::move(name), std::nullopt, NameIn(programs, mapped.program)});
+          {std::move(name), std::nullopt, NameInFile(programs, mapped.program)});
   return golden;
 }
 

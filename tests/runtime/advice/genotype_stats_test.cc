@@ -18,8 +18,8 @@ const std::string kText =
 TEST_CASE("Statistics count what each rule did", "[genotype_stats]") {
   const Program program = test::CompileText(kText);
   const auto result = StatsOf(program.genotype, program.environments);
-  REQUIRE(result.stats);
-  const GenotypeStats& stats = *result.stats;
+  REQUIRE(result);
+  const GenotypeStats& stats = *result;
   CHECK(stats.rules == 3);
   CHECK(stats.terms == 2);
   CHECK(stats.symbols == 11);
@@ -62,7 +62,7 @@ TEST_CASE("A robot that is the same everywhere is not plastic",
       "plsc 1\nalphabet plasticoding 1\nsense wet: bool\n"
       "rule C -> { C add_left T(1) }\n"
       "environment a { wet = True }\nenvironment b { wet = False }\n");
-  const auto stats = StatsOf(program.genotype, program.environments).stats;
+  const auto stats = StatsOf(program.genotype, program.environments);
   CHECK(stats->bodies == 1);
   CHECK(stats->brains == 1);
 }
@@ -70,7 +70,7 @@ TEST_CASE("A robot that is the same everywhere is not plastic",
 TEST_CASE("Statistics of an own alphabet know no body", "[genotype_stats]") {
   const Genotype genotype =
       test::Didactic("iterations 2\nrule X -> { X Y a }\nrule Z -> { a }\n");
-  const auto stats = StatsOf(genotype, {{"any", {}}}).stats;
+  const auto stats = StatsOf(genotype, {{"any", {}}});
   REQUIRE(stats);
   CHECK(stats->bodies == 0);
   CHECK(stats->environments[0].length == 5);
@@ -86,8 +86,8 @@ TEST_CASE("Statistics name the environment that outgrows its limit",
       "rule C -> { C B }\nrule B -> if wet = True then { B B }\n"
       "environment dry { wet = False }\nenvironment wet { wet = True }\n");
   const auto result = StatsOf(program.genotype, program.environments);
-  CHECK_FALSE(result.stats);
-  CHECK(result.outgrown_in == 1);
+  CHECK_FALSE(result);
+  CHECK(result.error().environment == 1);
 }
 
 }  // namespace

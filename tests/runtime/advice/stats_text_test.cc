@@ -17,7 +17,7 @@ const std::string kText =
 
 TEST_CASE("Statistics are a column an environment", "[stats_text]") {
   const Program program = test::CompileText(kText);
-  const auto stats = StatsOf(program.genotype, program.environments).stats;
+  const auto stats = StatsOf(program.genotype, program.environments);
   REQUIRE(stats);
   CHECK(StatsText(program.genotype, *stats) ==
         R"(sample: 2 rules, 2 terms of clauses, 7 symbols
@@ -43,7 +43,7 @@ rule 2: C if wet = True   -                              1x, 3 of 4 symbols, 2 m
 
 TEST_CASE("Statistics as JSON have the same numbers", "[stats_text]") {
   const Program program = test::CompileText(kText);
-  const auto stats = StatsOf(program.genotype, program.environments).stats;
+  const auto stats = StatsOf(program.genotype, program.environments);
   const auto json =
       nlohmann::json::parse(StatsJson("a.pls", program.genotype, *stats));
   CHECK(json["file"] == "a.pls");

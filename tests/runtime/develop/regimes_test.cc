@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 #include <map>
 
+#include "runtime/develop/regulate.h"
 #include "tests/runtime/develop/compile_text.h"
 
 namespace plsc {

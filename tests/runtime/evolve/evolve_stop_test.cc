@@ -25,8 +25,8 @@ using test::Recorder;
 /// noted as a store does.
 class Stages : public Recorder {
  public:
-  Failure OnBirths(const std::vector<Individual>& born,
-                   const std::function<bool()>& should_stop) override {
+  MaybeFailure OnBirths(const std::vector<Individual>& born,
+                        const std::function<bool()>& should_stop) override {
     stage = "births";
     for (std::size_t i = 0; i < born.size(); ++i)
       if (should_stop()) return std::nullopt;
@@ -34,12 +34,12 @@ class Stages : public Recorder {
     left = born.size();
     return Recorder::OnBirths(born, should_stop);
   }
-  Failure OnEvaluated(const Individual& one,
-                      const std::vector<SeasonEvidence>& its) override {
+  MaybeFailure OnEvaluated(const Individual& one,
+                           const std::vector<SeasonEvidence>& its) override {
     if (--left == 0) stage = "selection";
     return Recorder::OnEvaluated(one, its);
   }
-  Failure OnGeneration(const GenerationRecord& record) override {
+  MaybeFailure OnGeneration(const GenerationRecord& record) override {
     stage = "breeding";
     return Recorder::OnGeneration(record);
   }

@@ -36,9 +36,8 @@ Simulated Look(const Phenotype& robot, const Season& season) {
   return seen;
 }
 
-RunObserver::Failure Recorder::OnBirths(
-    const std::vector<Individual>& born,
-    const std::function<bool()>& /*should_stop*/) {
+MaybeFailure Recorder::OnBirths(const std::vector<Individual>& born,
+                                const std::function<bool()>& /*should_stop*/) {
   std::vector<int> ids;
   for (const Individual& one : born) ids.push_back(one.id);
   births.push_back(ids);
@@ -47,8 +46,8 @@ RunObserver::Failure Recorder::OnBirths(
   return std::nullopt;
 }
 
-RunObserver::Failure Recorder::OnEvaluated(
-    const Individual& one, const std::vector<SeasonEvidence>& its) {
+MaybeFailure Recorder::OnEvaluated(const Individual& one,
+                                   const std::vector<SeasonEvidence>& its) {
   if (failing_after > 0 && evaluated.size() == failing_after)
     return "the disk is full";
   const auto place = static_cast<std::size_t>(one.id - 1);
@@ -58,7 +57,7 @@ RunObserver::Failure Recorder::OnEvaluated(
   return std::nullopt;
 }
 
-RunObserver::Failure Recorder::OnGeneration(const GenerationRecord& record) {
+MaybeFailure Recorder::OnGeneration(const GenerationRecord& record) {
   generations.push_back(record);
   return std::nullopt;
 }

@@ -35,11 +35,11 @@ class Recorder : public RunObserver {
   /// What OnEvaluated fails after; 0: never.
   std::size_t failing_after = 0;
 
-  Failure OnBirths(const std::vector<Individual>& born,
-                   const std::function<bool()>& should_stop) override;
-  Failure OnEvaluated(const Individual& one,
-                      const std::vector<SeasonEvidence>& its) override;
-  Failure OnGeneration(const GenerationRecord& record) override;
+  MaybeFailure OnBirths(const std::vector<Individual>& born,
+                        const std::function<bool()>& should_stop) override;
+  MaybeFailure OnEvaluated(const Individual& one,
+                           const std::vector<SeasonEvidence>& its) override;
+  MaybeFailure OnGeneration(const GenerationRecord& record) override;
 };
 
 }  // namespace plsc::test

@@ -13,7 +13,7 @@
 #include "runtime/evolve/evolve.h"
 #include "runtime/evolve/generation_evaluator.h"
 #include "runtime/evolve/worker_request.h"
-#include "runtime/life/evaluation.h"
+#include "runtime/life/life.h"
 #include "runtime/scenario/scenario_yaml.h"
 #include "tests/runtime/develop/compile_text.h"
 #include "tests/runtime/evolve/fake_run.h"

@@ -20,8 +20,7 @@ class MemoryCache : public SimulationCache {
     if (found == known.end()) return std::nullopt;
     return found->second;
   }
-  std::optional<std::string> Add(const Key& key,
-                                 const Simulated& simulated) override {
+  MaybeFailure Add(const Key& key, const Simulated& simulated) override {
     known.emplace(key, simulated);
     return std::nullopt;
   }

@@ -31,7 +31,7 @@ std::vector<Simulated> Example() {
 }  // namespace
 
 TEST_CASE("What was simulated arrives bit for bit", "[simulated_frame]") {
-  const auto arrived = Unpack(Pack(Example()));
+  const auto arrived = UnpackSimulated(PackSimulated(Example()));
   REQUIRE(arrived);
   REQUIRE(arrived->size() == 2);
   const Simulated& flat = (*arrived)[0];
@@ -54,20 +54,20 @@ TEST_CASE("What was simulated arrives bit for bit", "[simulated_frame]") {
   CHECK_FALSE(tilted.behaviour.is_valid);
   CHECK(tilted.outcome == Outcome::kOverlapping);
   CHECK(tilted.reason == "modules intersect");
-  CHECK(Unpack(Pack({}))->empty());
+  CHECK(UnpackSimulated(PackSimulated({}))->empty());
 }
 
 TEST_CASE("Bytes that are cut short, too many or of another layout are refused",
           "[simulated_frame]") {
-  const std::string bytes = Pack(Example());
+  const std::string bytes = PackSimulated(Example());
   for (std::size_t length = 0; length < bytes.size(); ++length)
-    CHECK_FALSE(Unpack(std::string_view(bytes).substr(0, length)));
-  CHECK_FALSE(Unpack(bytes + "x"));
+    CHECK_FALSE(UnpackSimulated(std::string_view(bytes).substr(0, length)));
+  CHECK_FALSE(UnpackSimulated(bytes + "x"));
   for (const std::size_t place :
        {0u, 8u, 40u, 48u}) {      // layout, count, outcome,
     std::string changed = bytes;  // length of the reason
     changed[place] = static_cast<char>(changed[place] ^ 0x70);
-    CHECK_FALSE(Unpack(changed));
+    CHECK_FALSE(UnpackSimulated(changed));
   }
 }
 

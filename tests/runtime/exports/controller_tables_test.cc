@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "runtime/exports/robot_model.h"
 #include "tests/sim/bodies.h"
 
 namespace plsc {

@@ -1,4 +1,5 @@
 #include "runtime/life/evaluation.h"
+#include "runtime/life/life.h"
 
 #include <catch2/catch.hpp>
 #include <string>

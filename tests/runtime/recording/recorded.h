@@ -2,7 +2,7 @@
 
 // Small recordings, for tests of what reads and draws them.
 
-#include "runtime/life/evaluation.h"
+#include "runtime/life/life.h"
 #include "runtime/recording/recording.h"
 #include "sim/simulate.h"
 #include "tests/sim/bodies.h"

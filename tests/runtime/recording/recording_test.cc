@@ -1,5 +1,5 @@
 #include "runtime/recording/recording.h"
-#include "runtime/life/evaluation.h"
+#include "runtime/life/life.h"
 
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>

@@ -92,13 +92,14 @@ TEST_CASE("What has no runs is told with what to do", "[inputs]") {
   const Scratch scratch;
   fs::create_directory(scratch / "empty");
   test::WriteBytes(scratch / "study.yml", "plsc_study: 1");
-  CHECK(Has(FindRuns({scratch / "none"}).failure(), "no such file or folder"));
-  CHECK(Has(FindRuns({scratch / "empty"}).failure(), "has no runs"));
-  CHECK(Has(FindRuns({scratch / "study.yml"}).failure(),
+  CHECK(
+      Has(FindRuns({scratch / "none"}).error().text, "no such file or folder"));
+  CHECK(Has(FindRuns({scratch / "empty"}).error().text, "has no runs"));
+  CHECK(Has(FindRuns({scratch / "study.yml"}).error().text,
             "the folder that 'plsc study run' filled"));
   fs::create_directory(scratch / "broken");
   test::WriteBytes(scratch / "broken/study.yaml", "plsc_study: [");
-  CHECK(Has(FindRuns({scratch / "broken"}).failure(), "is damaged"));
+  CHECK(Has(FindRuns({scratch / "broken"}).error().text, "is damaged"));
 }
 
 }  // namespace plsc

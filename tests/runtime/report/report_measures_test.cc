@@ -49,7 +49,7 @@ TEST_CASE("Measures are chosen by column or title", "[report_measures]") {
     CAPTURE(wrong);
     const auto failed = ChooseMeasures(wrong);
     REQUIRE_FALSE(failed);
-    CHECK(failed.failure().find("hinge_count") != std::string::npos);
+    CHECK(failed.error().text.find("hinge_count") != std::string::npos);
   }
 }
 

@@ -48,7 +48,7 @@ TEST_CASE("A portrait has every season, its body and its speed", "[robots]") {
     if (season.speed)
       CHECK(*season.speed == result.behaviour.displacement_velocity_hill);
   }
-  CHECK(PortraitOf(run.store, 100000).failure().find("no robot 100000") !=
+  CHECK(PortraitOf(run.store, 100000).error().text.find("no robot 100000") !=
         std::string::npos);
 }
 

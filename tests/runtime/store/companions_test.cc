@@ -102,9 +102,9 @@ TEST_CASE("Nothing is made beside what SQLite would take for its own",
       RunStore store;
       CHECK(store.Create(path, test::StoredExperiment())
                 .value_or("")
-                .find(name) == 0);
+                .text.find(name) == 0);
       SharedCache cache;
-      CHECK(cache.Open(path).value_or("").find(name) == 0);
+      CHECK(cache.Open(path).value_or("").text.find(name) == 0);
       CHECK((Everything(scratch) == before));
     }
 }
@@ -121,9 +121,9 @@ TEST_CASE("Nothing is opened beside what is not its own", "[companions]") {
       const std::string name = "'" + path + end + "'";
       RunStore store;
       Salvage salvage;
-      CHECK(store.Open(path).value_or("").find(name) == 0);
-      CHECK(store.OpenForReading(path).value_or("").find(name) == 0);
-      CHECK(salvage.Open(path).value_or("").find(name) == 0);
+      CHECK(store.Open(path).value_or("").text.find(name) == 0);
+      CHECK(store.OpenForReading(path).value_or("").text.find(name) == 0);
+      CHECK(salvage.Open(path).value_or("").text.find(name) == 0);
       CHECK((Everything(scratch) == before));
 
       const Scratch other;
@@ -131,8 +131,8 @@ TEST_CASE("Nothing is opened beside what is not its own", "[companions]") {
       REQUIRE(SharedCache().Open(cache) == std::nullopt);
       row.plant(other, cache + end);
       const std::string cache_before = Everything(other);
-      CHECK(SharedCache().Open(cache).value_or("").find("'" + cache + end +
-                                                        "'") == 0);
+      CHECK(SharedCache().Open(cache).value_or("").text.find("'" + cache + end +
+                                                             "'") == 0);
       CHECK((Everything(other) == cache_before));
     }
 }
@@ -146,8 +146,9 @@ TEST_CASE("A deleted run's journal is nobody else's", "[companions]") {
   RunStore store;
   // Of another run, or of the same.
   for (const std::uint64_t seed : {2u, 1u})
-    CHECK(store.Create(path, WithSeed(seed)).value_or("").find(path + "-wal") !=
-          std::string::npos);
+    CHECK(store.Create(path, WithSeed(seed))
+              .value_or("")
+              .text.find(path + "-wal") != std::string::npos);
   CHECK((Everything(scratch) == before));
 }
 
@@ -165,9 +166,9 @@ TEST_CASE("A journal is not played back into another store", "[companions]") {
     RunStore store;
     Salvage salvage;
     const std::string name = "'" + path + "-wal' is not of '" + path + "'";
-    CHECK(store.Open(path).value_or("").find(name) == 0);
-    CHECK(store.OpenForReading(path).value_or("").find(name) == 0);
-    CHECK(salvage.Open(path).value_or("").find(name) == 0);
+    CHECK(store.Open(path).value_or("").text.find(name) == 0);
+    CHECK(store.OpenForReading(path).value_or("").text.find(name) == 0);
+    CHECK(salvage.Open(path).value_or("").text.find(name) == 0);
     CHECK((Everything(scratch) == before));
   }
 }
@@ -206,7 +207,7 @@ TEST_CASE("What SQLite leaves half made is its own", "[companions]") {
     }
   // But an index without a journal is what is left when that is lost.
   WriteBytes(path + "-shm", std::string(32768, '\0'));
-  CHECK(CheckCompanions(path).value_or("").find(path + "-shm") == 1);
+  CHECK(CheckCompanions(path).value_or("").text.find(path + "-shm") == 1);
 }
 
 TEST_CASE("Databases are numbered by chance", "[companions]") {

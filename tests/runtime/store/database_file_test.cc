@@ -59,9 +59,9 @@ void WriteKilled(const Scratch& scratch, const std::vector<std::string>& ends) {
 std::string ReadAsNobody(const std::string& path) {
   return AsNobody([&] {
     RunStore store;
-    if (auto failure = store.OpenForReading(path)) return *failure;
+    if (auto failure = store.OpenForReading(path)) return failure->text;
     const auto saved = store.Load();
-    return saved ? std::to_string(saved->generations) : saved.failure();
+    return saved ? std::to_string(saved->generations) : saved.error().text;
   });
 }
 
@@ -114,7 +114,7 @@ TEST_CASE("To go on with a run its folder must be writable",
   chmod(scratch.path().c_str(), 0555);
   const std::string said = AsNobody([&] {
     RunStore store;
-    return store.Open(path).value_or("");
+    return store.Open(path).value_or("").text;
   });
   chmod(scratch.path().c_str(), 0755);
   CAPTURE(said);

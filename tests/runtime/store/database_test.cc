@@ -161,7 +161,8 @@ TEST_CASE("A reader is told when the file changed under it", "[database]") {
     database.Run("INSERT INTO t VALUES(1, 2)");
   }
   CHECK(reader.TakeFailure() ==
-        "'" + path + "' was changed while it was read: try again");
+        Failure("'" + path + "' was changed while it was read: try again",
+                Failure::Kind::kChanged));
 }
 
 TEST_CASE("A child of a fork leaves its parent's database alone",

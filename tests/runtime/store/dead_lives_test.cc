@@ -41,8 +41,8 @@ test::Recorder LiveOn(const std::string& path, const SeasonSimulator& simulate,
   REQUIRE((std::filesystem::exists(path)
                ? store.Open(path)
                : store.Create(path, StoredExperiment())) == std::nullopt);
-  Loaded<SavedRun> saved = store.Load();
-  REQUIRE(saved.failure() == "");
+  Expected<SavedRun, Failure> saved = store.Load();
+  REQUIRE(saved);
   test::Recorder seen;
   EvolveOptions options;
   options.jobs = 1;
@@ -66,8 +66,8 @@ std::size_t Deaths(const test::Recorder& seen) {
 }
 
 std::string Dump(const std::string& path) {
-  Loaded<std::string> dump = DumpResults(path);
-  REQUIRE(dump.failure() == "");
+  Expected<std::string, Failure> dump = DumpResults(path);
+  REQUIRE(dump);
   return *dump;
 }
 
@@ -86,8 +86,8 @@ TEST_CASE("Who died in the generation under way lives anew, as if never dead",
   REQUIRE(store.OpenForReading(left) == std::nullopt);
   // Until then the store says what happened.
   CHECK(store.Status()->evaluations == static_cast<int>(seen.evaluated.size()));
-  const Loaded<SavedRun> saved = store.Load();
-  REQUIRE(saved.failure() == "");
+  const Expected<SavedRun, Failure> saved = store.Load();
+  REQUIRE(saved);
   CHECK(saved->evaluated.size() == seen.evaluated.size() - dead);
   CHECK(saved->evaluations == static_cast<int>(saved->evaluated.size()));
   CHECK(store.Close() == std::nullopt);

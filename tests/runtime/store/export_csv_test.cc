@@ -40,13 +40,13 @@ std::vector<std::vector<std::string>> ReadCsv(const std::string& text) {
 std::string Csv(const std::string& run, const CsvTable& table) {
   std::string text;
   CsvExport tables;
-  REQUIRE(tables.Open(run).value_or("") == "");
-  CHECK(tables.damage().value_or("") == "");
+  REQUIRE(tables.Open(run).value_or("").text == "");
+  CHECK(tables.damage().value_or("").text == "");
   const auto failure = tables.Write(table, [&](std::string_view piece) {
     text += piece;
     return std::nullopt;
   });
-  REQUIRE(failure.value_or("") == "");
+  REQUIRE(failure.value_or("").text == "");
   return text;
 }
 
@@ -123,8 +123,8 @@ TEST_CASE("What the reader of a table refuses ends the writing", "[export]") {
   int pieces = 0;
   CsvExport tables;
   REQUIRE_FALSE(tables.Open(scratch / "run"));
-  const auto failure = tables.Write(
-      TableOf("results"), [&](std::string_view) -> std::optional<std::string> {
+  const auto failure =
+      tables.Write(TableOf("results"), [&](std::string_view) -> MaybeFailure {
         if (++pieces < 3) return std::nullopt;
         return "the disk is full";
       });

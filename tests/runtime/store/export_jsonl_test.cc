@@ -24,10 +24,13 @@ struct Lines {
 
 Lines Export(const std::string& run) {
   Lines lines;
-  lines.failure = WriteJsonl(run, [&](std::string_view piece) {
-                    lines.text += piece;
-                    return std::nullopt;
-                  }).value_or("");
+  lines.failure = WriteJsonl(run,
+                             [&](std::string_view piece) {
+                               lines.text += piece;
+                               return std::nullopt;
+                             })
+                      .value_or("")
+                      .text;
   std::istringstream text(lines.text);
   for (std::string line; std::getline(text, line);)
     lines.objects.push_back(json::parse(line));

@@ -31,23 +31,24 @@ const Recorder& TheRun() {
 /// Reports to a store what it does not have yet.
 std::string GoOn(RunStore& store) {
   auto saved = store.Load();
-  if (!saved) return saved.failure();
+  if (!saved) return saved.error().text;
   const Recorder& run = TheRun();
   for (auto g = static_cast<std::size_t>(saved->generations);
        g < run.births.size(); ++g) {
     std::vector<Individual> born;
     for (const int id : run.births[g])
       born.push_back(run.individuals[static_cast<std::size_t>(id - 1)]);
-    if (auto failure = store.OnBirths(born, {})) return *failure;
+    if (auto failure = store.OnBirths(born, {})) return failure->text;
     for (const Individual& one : born) {
       if (saved->evaluated.contains(one.id)) continue;
       if (auto failure = store.OnEvaluated(
               one, run.evidence[static_cast<std::size_t>(one.id - 1)]))
-        return *failure;
+        return failure->text;
     }
-    if (auto failure = store.OnGeneration(run.generations[g])) return *failure;
+    if (auto failure = store.OnGeneration(run.generations[g]))
+      return failure->text;
   }
-  return store.Close().value_or("");
+  return store.Close().value_or("").text;
 }
 
 void CheckGoesOn(const std::string& path) {
@@ -76,7 +77,8 @@ std::string RunWithLimit(const std::string& path, rlim_t limit) {
       const bool is_new = !std::filesystem::exists(path);
       told = (is_new ? store.Create(path, test::StoredExperiment())
                      : store.Open(path))
-                 .value_or("");
+                 .value_or("")
+                 .text;
       if (told.empty()) told = GoOn(store);
     }
     std::ofstream(answer) << told;
@@ -127,7 +129,9 @@ TEST_CASE("A full file system ends a run with its reason", "[full_disk]") {
   std::string told;
   {
     RunStore store;
-    told = store.Create(folder + "/run", test::StoredExperiment()).value_or("");
+    told = store.Create(folder + "/run", test::StoredExperiment())
+               .value_or("")
+               .text;
     if (told.empty()) told = GoOn(store);
   }
   CAPTURE(told);

@@ -63,10 +63,10 @@ TEST_CASE("The second process on a run is refused by name", "[lock]") {
   RunLock lock;
   const auto failure = lock.Take(run);
   REQUIRE(failure);
-  CHECK(failure->find("'" + run + "' is in use by " + who) == 0);
+  CHECK(failure->text.find("'" + run + "' is in use by " + who) == 0);
   CHECK(WhoWorksOn(run).value_or("").find(who) == 0);
   RunStore store;
-  CHECK(store.Open(run).value_or("").find("is in use by " + who) !=
+  CHECK(store.Open(run).value_or("").text.find("is in use by " + who) !=
         std::string::npos);
   // Readers are not.
   CHECK(store.OpenForReading(run) == std::nullopt);
@@ -150,8 +150,9 @@ TEST_CASE("A run is locked under all its names", "[lock]") {
   for (const char* name : {"soft", "hard"}) {
     CAPTURE(name);
     RunLock lock;
-    CHECK(lock.Take(scratch / name).value_or("").find("in use by " + who) !=
-          std::string::npos);
+    CHECK(
+        lock.Take(scratch / name).value_or("").text.find("in use by " + who) !=
+        std::string::npos);
     CHECK(WhoWorksOn(scratch / name) == who);
     RunStore store;
     CHECK(store.Open(scratch / name));
@@ -159,9 +160,9 @@ TEST_CASE("A run is locked under all its names", "[lock]") {
   holder.Kill();
   RunStore store;
   // Each of two names would have its own journal.
-  CHECK(store.Open(scratch / "hard").value_or("").find("2 names") !=
+  CHECK(store.Open(scratch / "hard").value_or("").text.find("2 names") !=
         std::string::npos);
-  CHECK(store.Open(run).value_or("").find("2 names") != std::string::npos);
+  CHECK(store.Open(run).value_or("").text.find("2 names") != std::string::npos);
   CHECK(test::ReadBytes(run) == bytes);
   std::filesystem::remove(scratch / "hard");
   // A symbolic link is the same file, with the same journal.
@@ -181,8 +182,8 @@ TEST_CASE("Whoever asks for the lock leaves SQLite its own", "[lock]") {
   REQUIRE(test::Report(recorder, store, 0, 1) == "");
   // A second one in this process, and questions.
   RunStore second;
-  CHECK(second.Open(run).value_or("").find("in use by process " +
-                                           std::to_string(getpid()) + " on ") !=
+  CHECK(second.Open(run).value_or("").text.find(
+            "in use by process " + std::to_string(getpid()) + " on ") !=
         std::string::npos);
   CHECK(WhoWorksOn(run));
   // The last who closes a database deletes its journal; another process that

@@ -103,7 +103,7 @@ TEST_CASE("What cannot be written is told, and nothing is left", "[new_file]") {
     getrlimit(RLIMIT_FSIZE, &before);
     const auto handler = signal(SIGXFSZ, SIG_IGN);
     const struct rlimit small = {1000, before.rlim_max};
-    NewFile::Failure failure;
+    MaybeFailure failure;
     {
       NewFile file(scratch / "new", until);
       setrlimit(RLIMIT_FSIZE, &small);

@@ -71,7 +71,7 @@ std::string TextOf(const RunStatus& status) {
 using Answers = std::vector<std::optional<std::string>>;
 
 template <typename T>
-void Add(const Loaded<T>& loaded, Answers& answers) {
+void Add(const Expected<T, Failure>& loaded, Answers& answers) {
   answers.push_back(loaded ? std::optional(TextOf(*loaded)) : std::nullopt);
 }
 

@@ -79,7 +79,7 @@ void CheckSame(const Individual& a, const Individual& b) {
 
 std::string Dump(const std::string& path) {
   auto dump = DumpResults(path);
-  REQUIRE(dump.failure() == "");
+  REQUIRE(dump);
   return *dump;
 }
 
@@ -104,10 +104,10 @@ TEST_CASE("A store gives back all that it was shown, bit for bit",
   REQUIRE(run.individuals.size() == 32);
   for (const Individual& one : run.individuals) {
     auto found = again.Find(one.id);
-    REQUIRE(found.failure() == "");
+    REQUIRE(found);
     CheckSame(*found, one);
     auto evidence = again.EvidenceOf(one.id);
-    REQUIRE(evidence.failure() == "");
+    REQUIRE(evidence);
     const auto& shown = run.evidence[static_cast<std::size_t>(one.id - 1)];
     REQUIRE(evidence->size() == shown.size());
     for (std::size_t i = 0; i < shown.size(); ++i) {
@@ -129,10 +129,10 @@ TEST_CASE("A store gives back all that it was shown, bit for bit",
     }
   }
   CHECK_FALSE(again.Find(Key{1, 2}));
-  CHECK(again.Find(33).failure() ==
+  CHECK(again.Find(33).error().text ==
         "'" + (scratch / "run.sqlite") + "' has no robot 33");
   auto status = again.Status();
-  REQUIRE(status.failure() == "");
+  REQUIRE(status);
   CHECK(status->generations == 5);
   CHECK(status->evaluations == 32);
   CHECK(status->best == run.generations.back().best);
@@ -166,7 +166,7 @@ TEST_CASE("A run goes on where it was left", "[run_store]") {
     RunStore store;
     REQUIRE(store.Open(path) == std::nullopt);
     auto saved = store.Load();
-    REQUIRE(saved.failure() == "");
+    REQUIRE(saved);
     CHECK(saved->generations == generations);
     const std::size_t half = generations == 0 ? 4 : 3;
     CHECK(saved->evaluations ==
@@ -222,8 +222,9 @@ TEST_CASE("Who is born otherwise than before does not go on", "[run_store]") {
   born[2].heritage.senses = {{"inclined", "True"}};
   const auto failure = store.OnBirths(born, {});
   REQUIRE(failure);
-  CHECK(failure->find("robot 11 of") == 0);
-  CHECK(failure->find("another version of the program") != std::string::npos);
+  CHECK(failure->text.find("robot 11 of") == 0);
+  CHECK(failure->text.find("another version of the program") !=
+        std::string::npos);
   // It can be used still, and nothing was changed.
   CHECK(store.Find(11));
   CHECK(Dump(scratch / "run") == before);
@@ -242,7 +243,7 @@ TEST_CASE("A simulation that ends otherwise than before is refused",
   one.evaluation.seasons[0].steps += 1;
   const auto failure = store.OnEvaluated(one, evidence);
   REQUIRE(failure);
-  CHECK(failure->find("ended otherwise now") != std::string::npos);
+  CHECK(failure->text.find("ended otherwise now") != std::string::npos);
   // A result that does not follow from its evidence is our own mistake.
   one.evaluation.seasons[0].steps += 1;
   CHECK(store.OnEvaluated(one, evidence));
@@ -283,7 +284,7 @@ TEST_CASE("A lineage has everybody once, nearest first", "[run_store]") {
   RunStore store;
   REQUIRE(store.OpenForReading(scratch / "run") == std::nullopt);
   auto lineage = store.Lineage(32, 100);
-  REQUIRE(lineage.failure() == "");
+  REQUIRE(lineage);
   CHECK(lineage->front().id == 32);
   CHECK(lineage->front().distance == 0);
   std::set<int> seen;
@@ -342,7 +343,7 @@ TEST_CASE("Another version of the program does not go on", "[run_store]") {
   REQUIRE(store.Close() == std::nullopt);
   const auto failure = store.Open(scratch / "run");
   REQUIRE(failure);
-  CHECK(failure->find("was begun with") != std::string::npos);
+  CHECK(failure->text.find("was begun with") != std::string::npos);
   // But it can be read.
   CHECK(store.OpenForReading(scratch / "run") == std::nullopt);
   CHECK(store.versions() == versions);

@@ -45,7 +45,8 @@ TEST_CASE("Nothing is written to a store with what we did not make",
     ChangeStore(path, row.sql);
     const std::string bytes = test::ReadBytes(path);
     RunStore store;
-    CHECK(store.Open(path).value_or("").find(row.what) != std::string::npos);
+    CHECK(store.Open(path).value_or("").text.find(row.what) !=
+          std::string::npos);
     CHECK(test::ReadBytes(path) == bytes);
     CHECK(scratch.Files() == std::vector<std::string>{"run"});
   }
@@ -59,7 +60,7 @@ TEST_CASE("A cache with a trigger is refused", "[schema_check]") {
   ChangeStore(path,
               "CREATE TRIGGER extra AFTER INSERT ON simulation BEGIN "
               "DELETE FROM engine; END");
-  CHECK(SharedCache().Open(path).value_or("").find("a trigger 'extra'") !=
+  CHECK(SharedCache().Open(path).value_or("").text.find("a trigger 'extra'") !=
         std::string::npos);
 }
 

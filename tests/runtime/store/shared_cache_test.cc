@@ -112,7 +112,7 @@ TEST_CASE("A cache that cannot be written any more only warns",
   CHECK_FALSE(cache.Add({3, 4}, Example()));
   setrlimit(RLIMIT_FSIZE, &before);
   REQUIRE(cache.warning());
-  CHECK(cache.warning()->find("not used any more") != std::string::npos);
+  CHECK(cache.warning()->text.find("not used any more") != std::string::npos);
   CHECK_FALSE(cache.Find({1, 2}));
 }
 
@@ -152,16 +152,16 @@ void UseDamaged(const std::string& path) {
   SharedCache cache;
   if (cache.Open(path, kEngine)) return;  // refused with a reason
   for (int i = 0; i < kEntries; ++i) {
-    const std::string added = Pack({Numbered(i)});
+    const std::string added = PackSimulated({Numbered(i)});
     const auto found = cache.Find(KeyOfNumber(i));
     if (found) {
-      CHECK(Pack({*found}) == added);
+      CHECK(PackSimulated({*found}) == added);
       continue;
     }
     // As a run does with what it has simulated then.
     CHECK_FALSE(cache.Add(KeyOfNumber(i), Numbered(i)));
     const auto again = cache.Find(KeyOfNumber(i));
-    if (again) CHECK(Pack({*again}) == added);
+    if (again) CHECK(PackSimulated({*again}) == added);
   }
 }
 
@@ -208,7 +208,8 @@ TEST_CASE("A damaged entry is dropped, told and simulated anew",
   CHECK(*cache.warning() == "an entry of the cache '" + scratch.path() +
                                 "' was damaged, dropped and simulated anew");
   CHECK_FALSE(cache.Add(KeyOfNumber(3), Numbered(3)));
-  CHECK(Pack({cache.Find(KeyOfNumber(3)).value()}) == Pack({Numbered(3)}));
+  CHECK(PackSimulated({cache.Find(KeyOfNumber(3)).value()}) ==
+        PackSimulated({Numbered(3)}));
 }
 
 TEST_CASE("An entry under another's key, or another program's, is no entry",
@@ -249,7 +250,8 @@ TEST_CASE("A cache without checksums is refused with what to do",
       REQUIRE_FALSE(database.TakeFailure());
     }
     const std::string before = test::ReadBytes(scratch.path());
-    const std::string failure = SharedCache().Open(scratch.path()).value_or("");
+    const std::string failure =
+        SharedCache().Open(scratch.path()).value_or("").text;
     CHECK(test::ReadBytes(scratch.path()) == before);
     return failure;
   };
@@ -270,7 +272,7 @@ std::string ResultsOf(SimulationCache* cache) {
   std::string text;
   for (const auto& evidence : recorder.evidence)
     for (const SeasonEvidence& season : evidence)
-      text += Hex(season.simulation) + Pack({season.simulated});
+      text += Hex(season.simulation) + PackSimulated({season.simulated});
   return text;
 }
 

@@ -90,7 +90,7 @@ Recorder RecordRun(const Experiment& experiment) {
 
 std::string Report(const Recorder& recorder, RunStore& store, int order,
                    int generations) {
-  RunObserver::Failure failure;
+  MaybeFailure failure;
   for (std::size_t g = 0; g < recorder.births.size() && !failure; ++g) {
     const bool is_last = static_cast<int>(g) == generations;
     const std::vector<int>& ids = recorder.births[g];
@@ -110,7 +110,7 @@ std::string Report(const Recorder& recorder, RunStore& store, int order,
     if (is_last || failure) break;
     failure = store.OnGeneration(recorder.generations[g]);
   }
-  return failure.value_or("");
+  return failure.value_or("").text;
 }
 
 void WriteRun(const std::string& path, int generations) {

@@ -24,7 +24,8 @@ TEST_CASE("What another program began is told by what differs", "[versions]") {
     other.*row.field = "abacus";
     const auto failure = CheckVersions("run", other);
     REQUIRE(failure);
-    CHECK(failure->find("'run' was begun with " + row.what + " abacus") == 0);
+    CHECK(failure->text.find("'run' was begun with " + row.what + " abacus") ==
+          0);
   }
 }
 

@@ -51,7 +51,8 @@ struct Fixture {
     return RunStudy(folder, study, RunsIn(study, only, shard), options);
   }
   std::string Dump(const StudyRun& run) {
-    const Loaded<std::string> dump = DumpResults(RunPath(folder, study, run));
+    const Expected<std::string, Failure> dump =
+        DumpResults(RunPath(folder, study, run));
     REQUIRE(dump);
     return *dump;
   }

@@ -33,7 +33,7 @@ TEST_CASE("A study's folder keeps the study, and is found again",
   CHECK(std::filesystem::is_directory(folder + "/plastic"));
   CHECK(std::filesystem::is_directory(folder + "/baseline"));
   CHECK(RunPath(folder, study, {1, 2}) == folder + "/baseline/2.sqlite");
-  const Loaded<Study> found = StudyIn(folder);
+  const Expected<Study, Failure> found = StudyIn(folder);
   REQUIRE(found);
   CHECK(*found == study);
   CHECK(PrepareFolder(folder, study) == std::nullopt);
@@ -64,10 +64,10 @@ TEST_CASE("The folder of another study is refused unchanged",
       row.change(other);
       const auto failure = PrepareFolder(folder, other);
       REQUIRE(failure);
-      CHECK(failure->find("is the folder of another study") !=
+      CHECK(failure->text.find("is the folder of another study") !=
             std::string::npos);
-      INFO(*failure);
-      CHECK(failure->find(row.part) != std::string::npos);
+      INFO(failure->text);
+      CHECK(failure->text.find(row.part) != std::string::npos);
       CHECK(test::ReadBytes(folder + "/study.yaml") == PrintStudy(study));
     }
   }
@@ -79,7 +79,7 @@ TEST_CASE("A folder of something else is not filled", "[study_folder]") {
   test::WriteBytes(scratch / "home/letter.txt", "Dear");
   const auto failure = PrepareFolder(scratch / "home", SmallStudy());
   REQUIRE(failure);
-  CHECK(failure->find("is no study's folder") != std::string::npos);
+  CHECK(failure->text.find("is no study's folder") != std::string::npos);
   CHECK(std::distance(
             std::filesystem::directory_iterator(scratch.path() / "home"),
             std::filesystem::directory_iterator()) == 1);
@@ -93,12 +93,13 @@ TEST_CASE("A folder that cannot be made or read is told", "[study_folder]") {
   test::WriteBytes(scratch / "file", "");
   const auto failure = PrepareFolder(scratch / "file/study", SmallStudy());
   REQUIRE(failure);
-  CHECK(failure->find("cannot create") == 0);
-  CHECK(StudyIn(scratch / "nothing").failure().find("is no study's folder") !=
-        std::string::npos);
+  CHECK(failure->text.find("cannot create") == 0);
+  CHECK(
+      StudyIn(scratch / "nothing").error().text.find("is no study's folder") !=
+      std::string::npos);
   REQUIRE(PrepareFolder(scratch / "study", SmallStudy()) == std::nullopt);
   test::WriteBytes(scratch / "study/study.yaml", "experiments: 5\n");
-  CHECK(StudyIn(scratch / "study").failure().find("is damaged") !=
+  CHECK(StudyIn(scratch / "study").error().text.find("is damaged") !=
         std::string::npos);
 }
 
@@ -125,7 +126,7 @@ TEST_CASE("Of many processes that begin at once, all agree on one study",
       REQUIRE(WIFEXITED(status));
       statuses[i % 2] += WEXITSTATUS(status);
     }
-    const Loaded<Study> winner = StudyIn(folder);
+    const Expected<Study, Failure> winner = StudyIn(folder);
     REQUIRE(winner);
     CHECK(statuses[winner->seed] == 0);
     CHECK(statuses[1 - winner->seed] == 4);
@@ -145,7 +146,7 @@ TEST_CASE("A folder that is another study's, or gone, is noticed",
   CHECK(CheckFolder(folder, study) == std::nullopt);
   Study other = study;
   other.seed = study.seed + 1;
-  CHECK(CheckFolder(folder, other).value_or("").find("another study") !=
+  CHECK(CheckFolder(folder, other).value_or("").text.find("another study") !=
         std::string::npos);
   std::filesystem::rename(folder, scratch / "moved");
   CHECK(CheckFolder(folder, study) ==
@@ -162,7 +163,8 @@ TEST_CASE("A folder that cannot be prepared leaves no folders behind",
   test::WriteBytes(scratch / "study/baseline", "a file");
   CHECK(PrepareFolder(scratch / "study", study)
             .value_or("")
-            .find("cannot create '" + (scratch / "study/baseline") + "'") == 0);
+            .text.find("cannot create '" + (scratch / "study/baseline") +
+                       "'") == 0);
   CHECK_FALSE(std::filesystem::exists(scratch / "study/plastic"));
   // What is planted under the names that a study.yaml could have before it is
   // whole is neither followed nor deleted.

@@ -63,7 +63,7 @@ TEST_CASE("evolve prints the best robot's genotype and bodies", "[evolve]") {
 }
 
 std::string Dump(const std::string& path) {
-  const Loaded<std::string> dump = DumpResults(path);
+  const Expected<std::string, Failure> dump = DumpResults(path);
   REQUIRE(dump);
   return *dump;
 }

@@ -15,9 +15,9 @@ TEST_CASE("individuals are named by number, or best", "[open_run]") {
   CHECK(*cli::IdOf(store, "best") == best);
   for (const char* name : {"", "0", "-1", "7x", "x", "1e3", "99999999999"}) {
     INFO(name);
-    const Loaded<int> id = cli::IdOf(store, name);
+    const Expected<int, Failure> id = cli::IdOf(store, name);
     CHECK_FALSE(id);
-    CHECK(id.failure().find("expected the number of a robot") !=
+    CHECK(id.error().text.find("expected the number of a robot") !=
           std::string::npos);
   }
   CHECK(*cli::IdsOf(store, {}) == std::vector<int>{best});
@@ -30,9 +30,10 @@ TEST_CASE("a run without a generation has no best", "[open_run]") {
   const test::TemporaryFolder folder;
   RunStore store;
   REQUIRE_FALSE(store.Create(folder / "run", Experiment{}));
-  CHECK(cli::IdOf(store, "best").failure().find("no generation") !=
+  CHECK(cli::IdOf(store, "best").error().text.find("no generation") !=
         std::string::npos);
-  CHECK(cli::EvaluatedIds(store).failure().find("nobody") != std::string::npos);
+  CHECK(cli::EvaluatedIds(store).error().text.find("nobody") !=
+        std::string::npos);
 }
 
 TEST_CASE("a database is known by its first bytes", "[open_run]") {

@@ -22,7 +22,7 @@ TEST_CASE("a PNG has the size of the SVG times the scale", "[png]") {
   for (const Row& row : {Row{1, 30, 20}, Row{2.5, 75, 50}, Row{0.05, 2, 1}}) {
     INFO(row.scale);
     const auto png = cli::PngOf(kPicture, row.scale);
-    INFO(png.failure());
+    INFO((png ? "" : png.error().text));
     REQUIRE(png);
     const auto size = test::PngSizeOf(*png);
     REQUIRE(size);
@@ -58,7 +58,7 @@ TEST_CASE("a PNG that cannot be made says why", "[png]") {
     DYNAMIC_SECTION(row.why) {
       const auto png = cli::PngOf(row.svg, row.scale);
       REQUIRE_FALSE(png);
-      CHECK(png.failure().find(row.failure) != std::string::npos);
+      CHECK(png.error().text.find(row.failure) != std::string::npos);
     }
   }
 }
@@ -68,11 +68,12 @@ TEST_CASE("a missing library is named with its package", "[png]") {
   libraries.rsvg = "libnone.so.7";
   const auto png = cli::PngOf(kPicture, 1, libraries);
   REQUIRE_FALSE(png);
-  CHECK(png.failure().find("libnone.so.7 is missing") != std::string::npos);
-  CHECK(png.failure().find("apt-get install librsvg2-2") != std::string::npos);
+  CHECK(png.error().text.find("libnone.so.7 is missing") != std::string::npos);
+  CHECK(png.error().text.find("apt-get install librsvg2-2") !=
+        std::string::npos);
   // There, but another library.
   libraries.rsvg = "libc.so.6";
-  CHECK(cli::PngOf(kPicture, 1, libraries).failure().find("2.52") !=
+  CHECK(cli::PngOf(kPicture, 1, libraries).error().text.find("2.52") !=
         std::string::npos);
 }
 

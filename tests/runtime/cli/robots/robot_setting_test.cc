@@ -20,8 +20,8 @@ struct Found {
   cli::RobotFound Robot(const cli::RobotAsked& asked) {
     auto found = cli::FindRobot(asked, io);
     INFO(err.str());
-    REQUIRE(std::holds_alternative<cli::RobotFound>(found));
-    return std::move(std::get<cli::RobotFound>(found));
+    REQUIRE(found);
+    return std::move(*found);
   }
 };
 
