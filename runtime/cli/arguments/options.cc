@@ -107,10 +107,9 @@ Option Options::Add(const char* names, std::optional<double>& value,
 }
 
 Option Options::Add(const char* names,
-                    std::function<void(const std::string&)> take,
+                    const std::function<void(const std::string&)>& take,
                     const std::string& help) {
-  return Option(
-      app_->add_option_function<std::string>(names, std::move(take), help));
+  return Option(app_->add_option_function<std::string>(names, take, help));
 }
 
 Option Options::Flag(const char* names, bool& value, const std::string& help) {

@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-namespace CLI {
+namespace CLI {  // NOLINT(readability-identifier-naming): the library's
 class App;
 class Option;
 }  // namespace CLI
@@ -71,7 +71,8 @@ class Options {
   Option Add(const char* names, double& value, const std::string& help);
   Option Add(const char* names, std::optional<double>& value,
              const std::string& help);
-  Option Add(const char* names, std::function<void(const std::string&)> take,
+  Option Add(const char* names,
+             const std::function<void(const std::string&)>& take,
              const std::string& help);
   Option Flag(const char* names, bool& value, const std::string& help);
 

@@ -26,7 +26,7 @@ Registry RegistryOf() {
 }  // namespace
 
 const Registry& Commands() {
-  static const Registry kCommands =
+  static const Registry all =
       RegistryOf<CheckCommand, ExplainCommand, ExportCommand, FixCommand,
                  FmtCommand, DevelopCommand, DiffCommand, DrawCommand,
                  LintCommand, MergeCommand, LspCommand, RegulateCommand,
@@ -36,7 +36,7 @@ const Registry& Commands() {
                  TestCommand, RandomCommand, ImportCommand, MutateCommand,
                  CrossCommand, TrimCommand, StatsCommand, HashCommand,
                  CompletionCommand, ManCommand>();
-  return kCommands;
+  return all;
 }
 
 }  // namespace plsc::cli
