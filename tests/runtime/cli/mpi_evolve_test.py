@@ -153,7 +153,7 @@ def main():
     short = EXPERIMENT.format(generations=4, duration=2)
     pathlib.Path("tiny.yaml").write_text(short)
     pathlib.Path("long.yaml").write_text(
-        EXPERIMENT.format(generations=20, duration=3))
+        EXPERIMENT.format(generations=20, duration=4))
     tried = run(*mpirun(2), PLSC, "evolve", "tiny.yaml", "-o", "try.sqlite")
     if "built without MPI" in tried.stdout:
         check(not pathlib.Path("try.sqlite").exists(), "ranks ran on their own")
