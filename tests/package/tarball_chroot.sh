@@ -72,10 +72,10 @@ plsc=$(echo /opt/plsc-*/bin/plsc)
 "$plsc" --version
 "$plsc" check /climber.pls
 "$plsc" simulate /climber.pls
-"$plsc" evolve /run.yaml -o /run.sqlite --jobs 2 --quiet >/dev/null
+"$plsc" evolve /run.yaml -o /run.sqlite --jobs 2 --quiet >/robot.pls
 "$plsc" study run /study.yaml -o /study --jobs 2
 "$plsc" show /run.sqlite
-! "$plsc" draw /climber.pls -o /climber.png
+if "$plsc" draw /climber.pls -o /climber.png; then exit 1; fi
 INSIDE
   tables "$root" >"$work/$system.jsonl"
   cmp "$work/native.jsonl" "$work/$system.jsonl"

@@ -3,6 +3,8 @@
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>
 
+#include "sim/assembly.h"
+#include "sim/world.h"
 #include "tests/sim/bodies.h"
 
 namespace plsc {

@@ -18,8 +18,8 @@ TEST_CASE("a robot of a run has text, with the places of its rules",
   const std::string run = test::FinishedRun().path();
   const auto found = cli::FindRobot({run, "18", {}, false}, io);
   INFO(err.str());
-  const auto* robot = std::get_if<cli::RobotFound>(&found);
-  REQUIRE(robot != nullptr);
+  REQUIRE(found);
+  const cli::RobotFound* robot = &*found;
   CHECK(robot->title == "robot_18 of generation 2");
   CHECK(std::string(robot->loaded.source.text()) ==
         test::RunPlsc({"show", run, "18", "--genotype"}).out);
@@ -43,8 +43,8 @@ TEST_CASE("a robot of a file has its environments", "[robot_source]") {
   cli::Io io{in, out, err};
   const std::string file = folder.Write("robot.pls", test::kPlasticText);
   const auto found = cli::FindRobot({file, "", {}, false}, io);
-  const auto* robot = std::get_if<cli::RobotFound>(&found);
-  REQUIRE(robot != nullptr);
+  REQUIRE(found);
+  const cli::RobotFound* robot = &*found;
   CHECK(robot->title == "plastic");
   CHECK(robot->environments.size() == 2);
 }
