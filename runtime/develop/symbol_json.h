@@ -11,9 +11,8 @@ namespace plsc {
 /// `["A2", [0.5, 2.0, 3.0, 1.0]]`.
 inline nlohmann::ordered_json SymbolJson(const Genotype& genotype,
                                          const Occurrence& occurrence) {
-  using Json = nlohmann::ordered_json;
   const SymbolInfo& info = genotype.SymbolOf(occurrence.symbol);
-  Json arguments = Json::array();
+  auto arguments = nlohmann::ordered_json::array();
   if (occurrence.rule != kNoRule) {
     const Arguments& written = ArgumentsOf(genotype, occurrence);
     for (std::size_t i = 0; i < info.parameters.size(); ++i) {
@@ -25,7 +24,7 @@ inline nlohmann::ordered_json SymbolJson(const Genotype& genotype,
         arguments.push_back(value);
     }
   }
-  return Json::array({info.name, std::move(arguments)});
+  return nlohmann::ordered_json::array({info.name, std::move(arguments)});
 }
 
 }  // namespace plsc

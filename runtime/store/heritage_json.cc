@@ -7,10 +7,9 @@ namespace plsc {
 nlohmann::ordered_json HeritageJson(const Heritage& heritage,
                                     const Alphabet& alphabet,
                                     const std::vector<State>& states) {
-  using Json = nlohmann::ordered_json;
-  Json json;
+  nlohmann::ordered_json json;
   json["parents"] = heritage.parents;
-  json["from_second"] = Json::array();
+  json["from_second"] = nlohmann::ordered_json::array();
   for (const SymbolId head : heritage.from_second)
     json["from_second"].push_back(alphabet[head].name);
   json["mutation"] = nullptr;

@@ -23,6 +23,7 @@
 #include "tests/process_end.h"
 #include "tests/runtime/cli/run_plsc.h"
 #include "tests/runtime/cli/tiny_run.h"
+#include "tests/sanitizer.h"
 
 namespace plsc {
 namespace {
@@ -329,9 +330,14 @@ void Copy(const World& world, const std::string& good, const std::string& bad) {
     fs::copy(from, fs::path(world.path()) / bad, fs::copy_options::recursive);
 }
 
+// Of all bad paths at every place; under AddressSanitizer, where a child takes
+// many times as long, of another third at each place.
+constexpr std::size_t kStep = PLSC_HAS_ASAN ? 3 : 1;
+
 void CheckLine(const World& world, const std::vector<Word>& words,
-               std::size_t place) {
-  for (const BadPath& bad : kBadPaths) {
+               std::size_t place, std::size_t turn) {
+  for (std::size_t b = turn % kStep; b < kBadPaths.size(); b += kStep) {
+    const BadPath& bad = kBadPaths[b];
     if (bad.is_nobody && ::geteuid() != 0) continue;
     const std::string path = bad.made(words[place].text);
     std::vector<std::string> arguments;
@@ -346,6 +352,7 @@ void CheckLine(const World& world, const std::vector<Word>& words,
 
 TEST_CASE("No bad path ends a command but by its exit status", "[bad_paths]") {
   const World world;
+  std::size_t turn = 0;
   for (const std::string& line : kLines) {
     const std::vector<Word> words = WordsOf(line);
     std::vector<std::string> good;
@@ -356,7 +363,7 @@ TEST_CASE("No bad path ends a command but by its exit status", "[bad_paths]") {
     CHECK(WEXITSTATUS(told.status) == 0);
     world.Clean();
     for (std::size_t i = 0; i < words.size(); ++i)
-      if (!words[i].slot.empty()) CheckLine(world, words, i);
+      if (!words[i].slot.empty()) CheckLine(world, words, i, turn++);
   }
 }
 
