@@ -9,7 +9,7 @@
 namespace plsc {
 namespace {
 
-struct RenderingRow {
+struct Row {
   const char* why;
   const char* source;
   const char* text;
@@ -18,8 +18,8 @@ struct RenderingRow {
 // Lines 1 to 3 of most sources.
 #define HEAD "plsc 1\nalphabet plasticoding 1\nsense inclined: bool\n"
 
-const std::vector<RenderingRow>& Rows() {
-  static const std::vector<RenderingRow> kRows = {
+const std::vector<Row>& Rows() {
+  static const std::vector<Row> kRows = {
       {"the version is missing", "genotype gecko\n",
        R"(error[P5001]: a genotype file starts with the language version
  --> a.pls:1:1
@@ -184,7 +184,7 @@ const std::vector<RenderingRow>& Rows() {
 #undef HEAD
 
 TEST_CASE("Diagnostics read as documented", "[rendering]") {
-  for (const RenderingRow& row : Rows()) {
+  for (const Row& row : Rows()) {
     DYNAMIC_SECTION(row.why) {
       const Source source("a.pls", row.source);
       CHECK(Render(Compile(source).diagnostics(), source) == row.text);

@@ -7,7 +7,7 @@
 namespace plsc {
 namespace {
 
-Program CompiledRobot(const std::string& text) {
+Program Compiled(const std::string& text) {
   const auto program = Compile(Source("text", "plsc 1\n" + text));
   REQUIRE(program);
   return *program;
@@ -15,8 +15,8 @@ Program CompiledRobot(const std::string& text) {
 
 std::vector<EnvironmentDifference> Compared(const std::string& before,
                                             const std::string& after) {
-  const Program old_program = CompiledRobot(before);
-  const Program new_program = CompiledRobot(after);
+  const Program old_program = Compiled(before);
+  const Program new_program = Compiled(after);
   return CompareRobots(
       FindSharedEnvironments(old_program, new_program).environments,
       old_program.genotype, new_program.genotype);

@@ -145,7 +145,7 @@ TEST_CASE("A robot that cannot live has an outcome and no fitness",
 
 namespace {
 
-const char* const kPlasticLife =
+const char* const kPlastic =
     "sense inclined: bool\n"
     "iterations 1\n"
     "rule C -> { C add_front A2(0.5, 4, 2, 1) move_front add_front B }\n"
@@ -156,8 +156,7 @@ const char* const kPlasticLife =
 TEST_CASE("A season may give what the robot would feel", "[evaluation]") {
   Scenario scenario = ShortScenario();
   scenario.seasons[1].senses["inclined"] = "False";
-  const SeasonResult tilted =
-      Evaluate(Robot(kPlasticLife), scenario).seasons[1];
+  const SeasonResult tilted = Evaluate(Robot(kPlastic), scenario).seasons[1];
   CHECK(tilted.sensed ==
         std::vector<SensedState>{{"inclined", "False", SenseSource::kSeason}});
   CHECK_FALSE(tilted.inclination);
@@ -168,8 +167,7 @@ TEST_CASE("A season may give what the robot would feel", "[evaluation]") {
 TEST_CASE("What is felt depends on the threshold", "[evaluation]") {
   Scenario scenario = ShortScenario();
   scenario.imu.threshold = 0.2;
-  const SeasonResult tilted =
-      Evaluate(Robot(kPlasticLife), scenario).seasons[1];
+  const SeasonResult tilted = Evaluate(Robot(kPlastic), scenario).seasons[1];
   CHECK(tilted.sensed[0].value == "False");
   CHECK(tilted.change == Change::kNone);
   CHECK(tilted.change_reason == "senses as before");
@@ -183,7 +181,7 @@ TEST_CASE("In one life the robot changes where it stands", "[evaluation]") {
   Season still = again;
   still.name = "still";
   scenario.seasons.insert(scenario.seasons.end(), {again, still});
-  const Genotype genotype = Robot(kPlasticLife);
+  const Genotype genotype = Robot(kPlastic);
   Life life(genotype, scenario);
   std::vector<SeasonLife> lived;
   while (!life.is_over()) lived.push_back(life.Next());
@@ -218,7 +216,7 @@ TEST_CASE("In one life the robot changes where it stands", "[evaluation]") {
 TEST_CASE("A life that ends is not lived on", "[evaluation]") {
   Scenario scenario = ShortScenario();
   scenario.seasons[0].physics.max_speed = 1e-3;
-  const Genotype genotype = Robot(kPlasticLife);
+  const Genotype genotype = Robot(kPlastic);
   CHECK(Evaluate(genotype, scenario).seasons[1].outcome == Outcome::kCompleted);
   scenario.lives = Lives::kContinuous;
   const Evaluation evaluation = Evaluate(genotype, scenario);

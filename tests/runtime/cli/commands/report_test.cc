@@ -16,7 +16,7 @@ using nlohmann::json;
 using test::FinishedRun;
 using test::RunPlsc;
 
-bool HasPart(const std::string& text, const std::string& part) {
+bool Has(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
@@ -45,14 +45,14 @@ TEST_CASE("report writes a page, and replaces it", "[report]") {
   const auto ran = RunPlsc({"report", FinishedRun().path(), "-o", page});
   if (!HasPages()) {
     CHECK(ran.exit == 1);
-    CHECK(HasPart(ran.err, "built without npm"));
+    CHECK(Has(ran.err, "built without npm"));
     return;
   }
   CHECK(ran.exit == 0);
   CHECK(ran.out == page + ": 1 run: 1 done\n");
   const std::string text = test::ReadFile(page);
   CHECK(text.starts_with("<!DOCTYPE html>"));
-  CHECK(HasPart(text, "\"plsc_report\":2"));
+  CHECK(Has(text, "\"plsc_report\":2"));
   CHECK(folder.Files() == std::vector<std::string>{"page.html"});
 
   const auto quiet =
@@ -70,9 +70,9 @@ TEST_CASE("report tells a damaged run and shows the others", "[report]") {
   const auto ran = RunPlsc({"report", folder.path().string(), "--format",
                             "json", "-o", folder / "out.json"});
   CHECK(ran.exit == 1);
-  CHECK(HasPart(ran.err, "error: '" + (folder / "cut.sqlite") + "'"));
-  CHECK(HasPart(ran.err, "error: '" + (folder / "text.sqlite") + "'"));
-  CHECK(HasPart(ran.out, "3 runs: 1 done, 2 damaged"));
+  CHECK(Has(ran.err, "error: '" + (folder / "cut.sqlite") + "'"));
+  CHECK(Has(ran.err, "error: '" + (folder / "text.sqlite") + "'"));
+  CHECK(Has(ran.out, "3 runs: 1 done, 2 damaged"));
   const json report = json::parse(test::ReadFile(folder / "out.json"));
   CHECK(report["experiments"].size() == 1);
   CHECK(report["runs"][0]["state"] == "damaged");
@@ -124,7 +124,7 @@ TEST_CASE("report refuses what it cannot do, and says why", "[report]") {
       if (!HasPages() && row.exit == 1 && row.said == "cannot write") return;
       const auto ran = RunPlsc(row.arguments);
       CHECK(ran.exit == row.exit);
-      CHECK(HasPart(ran.err, row.said));
+      CHECK(Has(ran.err, row.said));
       CHECK(ran.out.empty());
       CHECK(folder.Files().empty());
     }
@@ -138,7 +138,7 @@ TEST_CASE("A study that is not begun has nothing to report", "[report]") {
                "plsc_study: 1\nrepetitions: 1\nexperiments:\n  a: {}\n");
   const auto ran = RunPlsc({"report", folder / "study", "--format", "json"});
   CHECK(ran.exit == 1);
-  CHECK(HasPart(ran.err, "none of these runs is begun yet"));
+  CHECK(Has(ran.err, "none of these runs is begun yet"));
   CHECK(ran.out.empty());
 }
 
