@@ -27,7 +27,7 @@ struct Fix {
 
 /// Text is lower case, names what was expected before what was found. What
 /// more there is to say is added where it is made:
-/// `Diagnostic(Code::kX, span, "...").WithHelp("...")`.
+/// `Diagnostic(Code::kLimit, span, "...").WithHelp("...")`.
 struct Diagnostic {
   /// The severity is the code's.
   Diagnostic(Code code, Span span, std::string message);

@@ -117,9 +117,7 @@ std::string DifferenceLine(const Difference& difference,
 std::string NameOf(const SharedEnvironment& where) {
   if (where.names.empty()) return where.text;
   const std::string names = fmt::format("{}", fmt::join(where.names, ", "));
-  const bool is_sensed =
-      !where.before.values.empty() || !where.after.values.empty();
-  return is_sensed ? fmt::format("{} ({})", names, where.text) : names;
+  return where.is_any ? names : fmt::format("{} ({})", names, where.text);
 }
 
 std::string NamesOf(const DifferenceGroup& group) {

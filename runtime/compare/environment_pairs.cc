@@ -154,7 +154,8 @@ SharedEnvironments FindSharedEnvironments(const Program& before,
     shared.environments.push_back({TextOf(values, all.states()),
                                    {},
                                    all.In(old_states, values),
-                                   all.In(new_states, values)});
+                                   all.In(new_states, values),
+                                   all.states().empty()});
   }
   const auto name = [&](const Program& program) {
     for (const NamedEnvironment& named : program.environments) {

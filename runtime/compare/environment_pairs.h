@@ -17,6 +17,7 @@ struct SharedEnvironment {
   std::vector<std::string> names;  ///< of those that either file declares
   Environment before;              ///< in the states of the first version
   Environment after;               ///< in those of the second
+  bool is_any = false;             ///< neither version senses anything
 };
 
 struct SharedEnvironments {

@@ -78,11 +78,12 @@ class Timed : public RunObserver {
   long memory_after_20 = 0;
 
   MaybeFailure OnBirths(const std::vector<Individual>& born,
-                   const std::function<bool()>& should_stop) override {
+                        const std::function<bool()>& should_stop) override {
     return Time([&] { return inner_.OnBirths(born, should_stop); });
   }
-  MaybeFailure OnEvaluated(const Individual& one,
-                      const std::vector<SeasonEvidence>& evidence) override {
+  MaybeFailure OnEvaluated(
+      const Individual& one,
+      const std::vector<SeasonEvidence>& evidence) override {
     return Time([&] { return inner_.OnEvaluated(one, evidence); });
   }
   MaybeFailure OnGeneration(const GenerationRecord& record) override {

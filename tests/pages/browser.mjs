@@ -100,18 +100,25 @@ export async function downloaded(page, button) {
 // keeps what would be downloaded in the page.
 export function keepFiles() {
   window.keptFiles = [];
+  const blobs = new Map();
+  const nameBlob = URL.createObjectURL;
+  URL.createObjectURL = (blob) => {
+    const url = nameBlob(blob);
+    blobs.set(url, blob);
+    return url;
+  };
   const click = HTMLElement.prototype.click;
   HTMLAnchorElement.prototype.click = function () {
-    if (this.download) window.keptFiles.push({ name: this.download, url: this.href });
+    if (this.download) window.keptFiles.push({ name: this.download, blob: blobs.get(this.href) });
     else click.call(this);
   };
 }
 export async function handedOut(page, button) {
   await button.click();
   return page.evaluate(async () => {
-    const [{ name, url }, ...more] = window.keptFiles.splice(0);
+    const [{ name, blob }, ...more] = window.keptFiles.splice(0);
     if (more.length > 0) throw new Error(`also ${more.map((one) => one.name)}`);
-    return { name, text: await (await fetch(url)).text() };
+    return { name, text: await blob.text() };
   });
 }
 

@@ -51,7 +51,7 @@ Result<Source> ReadSource(const std::string& path, Io& io);
 /// The same for who goes no further without it: prints what is wrong.
 std::optional<Source> ReadOrReport(const std::string& path, Io& io);
 
-/// "error[P5014]: cannot read 'a.pls': ...": what ReadSource found wrong, of
+/// "error[CODE]: cannot read 'a.pls': ...": what ReadSource found wrong, of
 /// which there is no line to show.
 std::string RenderWithoutLine(const Diagnostic& problem);
 /// Prints it.

@@ -271,8 +271,8 @@ Golden NewGolden(const Programs& programs) {
   Golden golden;
   for (const MappedProgram& mapped : programs)
     for (std::string& name : DefaultEnvironments(mapped.program))
-      golden.cases.push_back(
-          {std::move(name), std::nullopt, NameInFile(programs, mapped.program)});
+      golden.cases.push_back({std::move(name), std::nullopt,
+                              NameInFile(programs, mapped.program)});
   return golden;
 }
 
