@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 """Checks of the source tree that no compiler makes: includes follow the
 architecture's arrows, which go one way; each library stays behind its door;
-every source has a test of its name (or a reason in tests/exempt.txt), every
-test is built, every folder says what it is for."""
+few sources see what is dear to compile; every source has a test of its name
+(or a reason in tests/exempt.txt), every test is built, every folder says what
+it is for."""
 
 import pathlib
 import re
@@ -74,6 +75,9 @@ NOT_IN_CORE = re.compile(
     r"\.h|(sys|CLI)/.*)$")
 # What is private to another concept: its source's second header.
 PRIVATE = {"sim/world_ode": "sim/world"}
+# What is dear to compile -> the most sources of the product and of tests that
+# may see it, through any number of headers.
+MOST_REACHED = {"Eigen/": (50, 60)}
 MOST_CONCEPTS = 40  # of a folder: what one can look over
 INCLUDE = re.compile(r'^#include [<"]([^>"]+)[>"]', re.MULTILINE)
 SOURCES = [p for f in ("grammar", "compiler", "sim", "runtime")
@@ -181,6 +185,33 @@ def check_concepts(problems):
         count = sum(1 for c in uses if c.rpartition("/")[0] == folder)
         if count > MOST_CONCEPTS and folder != "runtime/cli/commands":
             problems.append(f"{folder}: {count} concepts, more than {MOST_CONCEPTS}")
+
+
+def check_reach(problems):
+    """Headers stay light: few sources see what takes long to compile."""
+    includes, seen = {}, {}
+
+    def sees(path, library):
+        if (path, library) not in seen:
+            seen[path, library] = False
+            if path not in includes:
+                includes[path] = INCLUDE.findall(path.read_text())
+            # As the compiler finds them; the tests' own folder comes second.
+            files = (next((base / i for base in (ROOT, ROOT / "tests")
+                           if (base / i).is_file()), None)
+                     for i in includes[path])
+            seen[path, library] = any(
+                i.startswith(library) for i in includes[path]) or any(
+                    [sees(f, library) for f in files if f])
+        return seen[path, library]
+
+    tests = sorted((ROOT / "tests").rglob("*.cc"))
+    product = [p for p in SOURCES if p.suffix == ".cc"]
+    for library, most in MOST_REACHED.items():
+        for kind, sources, limit in zip(("product", "test"), (product, tests), most):
+            count = sum(sees(p, library) for p in sources)
+            if count > limit:
+                problems.append(f"{library} reaches {count} {kind} sources, more than {limit}")
 
 
 def check_table(problems):
@@ -310,6 +341,7 @@ def main():
     check_core(problems)
     check_includes(problems)
     check_concepts(problems)
+    check_reach(problems)
     check_table(problems)
     check_paths(problems)
     check_commands(problems)

@@ -12,7 +12,7 @@
 #include "runtime/cli/files/load_yaml.h"
 #include "runtime/cli/files/output_file.h"
 #include "runtime/cli/files/output_path.h"
-#include "runtime/cli/robots/recorded_life.h"
+#include "runtime/cli/robots/robot_source.h"
 #include "runtime/life/season_environments.h"
 #include "runtime/text/json_dump.h"
 

@@ -16,8 +16,10 @@
 #include "runtime/cli/files/load_yaml.h"
 #include "runtime/cli/files/open_run.h"
 #include "runtime/cli/robots/recorded_life.h"
+#include "runtime/cli/robots/robot_source.h"
 #include "runtime/cli/running/interrupt.h"
 #include "runtime/recording/recording_json.h"
+#include "runtime/recording/view_json.h"
 
 namespace plsc::cli {
 

@@ -8,7 +8,10 @@
 #include <vector>
 
 #include "runtime/cli/arguments/view.h"
-#include "runtime/recording/view_json.h"
+
+namespace plsc {
+struct ViewedLife;
+}
 
 namespace plsc::cli {
 

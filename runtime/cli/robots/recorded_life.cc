@@ -11,19 +11,6 @@
 
 namespace plsc::cli {
 
-bool CanLive(const Scenario& scenario, const Genotype& genotype, Io& io) {
-  if (!genotype.alphabet->is_built_in()) {
-    io.err << fmt::format("error: alphabet '{}' has no bodies to simulate\n",
-                          genotype.alphabet->name());
-    return false;
-  }
-  const std::vector<Diagnostic> problems =
-      CheckSenses(scenario, genotype.states);
-  for (const Diagnostic& problem : problems)
-    io.err << fmt::format("error: {}\n", Escaped(problem.message));
-  return problems.empty();
-}
-
 RecordedLife::RecordedLife(const Genotype& genotype, const Scenario& scenario,
                            const Senses& inherited, bool is_recording, Io& io)
     : scenario_(scenario),

@@ -12,10 +12,6 @@
 
 namespace plsc::cli {
 
-/// Whether the genotype has a body to simulate and every season says what it
-/// senses and cannot feel. Prints what is wrong.
-bool CanLive(const Scenario& scenario, const Genotype& genotype, Io& io);
-
 class RecordedLife {
  public:
   /// Shows progress if standard error is a terminal. Without `is_recording`

@@ -10,7 +10,6 @@
 #include "grammar/shown_line.h"
 #include "runtime/cli/files/load_yaml.h"
 #include "runtime/cli/files/open_run.h"
-#include "runtime/cli/robots/recorded_life.h"
 #include "runtime/life/season_developer.h"
 #include "runtime/life/season_environments.h"
 
@@ -115,6 +114,19 @@ Expected<RobotFound, Exit> FindRobot(const RobotAsked& asked, Io& io) {
   if (!environments) return Exit::kBadUsage;
   robot.environments = std::move(*environments);
   return found;
+}
+
+bool CanLive(const Scenario& scenario, const Genotype& genotype, Io& io) {
+  if (!genotype.alphabet->is_built_in()) {
+    io.err << fmt::format("error: alphabet '{}' has no bodies to simulate\n",
+                          genotype.alphabet->name());
+    return false;
+  }
+  const std::vector<Diagnostic> problems =
+      CheckSenses(scenario, genotype.states);
+  for (const Diagnostic& problem : problems)
+    io.err << fmt::format("error: {}\n", Escaped(problem.message));
+  return problems.empty();
 }
 
 std::string SensesOf(const NamedEnvironment& named,

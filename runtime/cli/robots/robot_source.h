@@ -52,6 +52,10 @@ Expected<RobotOfRun, Exit> FindInStore(const std::string& run,
 bool IsRobotNamed(const std::string& file, const std::string& individual,
                   Io& io);
 
+/// Whether the genotype has a body to simulate and every season says what it
+/// senses and cannot feel. Prints what is wrong.
+bool CanLive(const Scenario& scenario, const Genotype& genotype, Io& io);
+
 /// What is sensed, unless the name says it.
 std::string SensesOf(const NamedEnvironment& named,
                      const std::vector<State>& states);

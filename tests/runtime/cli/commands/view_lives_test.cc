@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "runtime/recording/recording_json.h"
+#include "runtime/recording/view_json.h"
 #include "tests/runtime/cli/run_plsc.h"
 #include "tests/runtime/cli/tiny_run.h"
 #include "tests/runtime/recording/recorded.h"

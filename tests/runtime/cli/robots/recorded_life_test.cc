@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "runtime/cli/files/load_program.h"
+#include "runtime/cli/robots/robot_source.h"
 #include "runtime/scenario/scenario_profile.h"
 #include "runtime/scenario/scenario_yaml.h"
 #include "tests/runtime/cli/run_plsc.h"

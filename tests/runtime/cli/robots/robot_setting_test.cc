@@ -3,7 +3,6 @@
 #include <catch2/catch.hpp>
 #include <sstream>
 
-#include "runtime/exports/robot_model.h"
 #include "runtime/scenario/scenario_profile.h"
 #include "tests/runtime/cli/run_plsc.h"
 
@@ -41,10 +40,12 @@ TEST_CASE("A robot of a file lives on flat ground", "[robot_setting]") {
   const auto settings =
       cli::SettingsOf(found.Robot({"-", "", {}, false}), found.io);
   REQUIRE(settings.size() == 2);
+  const SimulationOptions usual = OptionsFor(
+      ProfileScenario(Profile::kPaper), ProfileSeason(Profile::kPaper, {}));
   for (const cli::RobotSetting& one : settings) {
     CHECK(one.terrain == Terrain{});
-    CHECK(one.options.physics == ExportedOptions().physics);
-    CHECK(one.options.servo == ExportedOptions().servo);
+    CHECK(one.options.physics == usual.physics);
+    CHECK(one.options.servo == usual.servo);
   }
   CHECK(found.err.str().empty());
 }
