@@ -140,6 +140,7 @@ SharedEnvironments FindSharedEnvironments(const Program& before,
   const std::vector<Clause> moved =
       ClausesOfBoth(all, before.genotype, after.genotype);
   std::vector<const Clause*> clauses;
+  clauses.reserve(moved.size());
   for (const Clause& clause : moved) clauses.push_back(&clause);
   const StateSpace space(clauses, all.states());
   const auto regimes = FindRegimes(clauses, space);
