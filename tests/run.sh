@@ -6,7 +6,7 @@ cd "$(dirname "$0")/.."
 
 usage() {
   cat <<'TXT'
-usage: tests/run.sh [--preset release|debug|sanitize] [--fast | --core]
+usage: tests/run.sh [--preset release|debug|sanitize] [--fast | --core | --watched]
 
 Installs missing Debian packages (as root or with sudo), builds into
 build/PRESET and runs all tests. Works on a fresh Debian 12 machine.
@@ -15,6 +15,8 @@ build/PRESET and runs all tests. Works on a fresh Debian 12 machine.
   --fast      leave out the tests labelled slow
   --core      only the fast tests of the compiler, development, simulation and
               the language server; builds nothing else
+  --watched   those and the fast tests of evolution, stores, studies and reports:
+              what .ci/run has sanitizers watch
 TXT
 }
 
@@ -31,6 +33,7 @@ while [ $# -gt 0 ]; do
       shift 2 ;;
     --fast) labels=(-L fast); shift ;;
     --core) labels=(-L core); target=core_tests; shift ;;
+    --watched) labels=(-L 'core|runs'); target=watched_tests; shift ;;
     -h | --help) usage; exit 0 ;;
     *) usage >&2; echo "tests/run.sh: unknown argument '$1'" >&2; exit 2 ;;
   esac
