@@ -18,7 +18,7 @@ namespace {
 using test::ReadFile;
 using test::RunPlsc;
 
-constexpr unsigned kSeed = 20261130;
+constexpr unsigned kDamageSeed = 20261130;
 
 void WriteBytes(const std::string& path, const std::string& bytes) {
   std::ofstream file(path, std::ios::binary | std::ios::trunc);
@@ -102,16 +102,16 @@ void FlipBits(Commands (*commands_of)(const std::string&, const std::string&),
 }
 
 TEST_CASE("No command passes on a flipped bit", "[damaged_reads]") {
-  FlipBits(QuickOnes, 25, kSeed);
+  FlipBits(QuickOnes, 25, kDamageSeed);
 }
 
 TEST_CASE("Nor do those that live a robot again", "[damaged_reads]") {
-  FlipBits(SlowOnes, 6, kSeed + 1);
+  FlipBits(SlowOnes, 6, kDamageSeed + 1);
 }
 
 TEST_CASE("Nor scores of them", "[damaged_reads][slow]") {
-  FlipBits(QuickOnes, 75, kSeed + 2);
-  FlipBits(SlowOnes, 15, kSeed + 3);
+  FlipBits(QuickOnes, 75, kDamageSeed + 2);
+  FlipBits(SlowOnes, 15, kDamageSeed + 3);
 }
 
 }  // namespace
