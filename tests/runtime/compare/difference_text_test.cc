@@ -46,6 +46,11 @@ TEST_CASE("Items that came, went or moved have their marks",
         "> rule 2 of B (line 4, was 5)\n      rule B ->\n");
 }
 
+TEST_CASE("Where nothing is sensed the names say all", "[difference_text]") {
+  const EnvironmentDifference same{{"any", {"flat"}, {}, {}, true}, {}};
+  CHECK(RobotDifferencesText("gecko", {same}) == "gecko in flat: the same\n");
+}
+
 TEST_CASE("Environments that differ alike are told together",
           "[difference_text]") {
   const std::vector<Difference> brick{

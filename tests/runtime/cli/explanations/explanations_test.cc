@@ -150,7 +150,7 @@ TEST_CASE("Each code can be told, by its name only", "[explanations]") {
        at != end; ++at)
     names.insert((*at)[1]);
   CHECK(names.size() == DiagnosticCodes().size() + 2);  // defects of plsc
-  CHECK(FoundInSources("Code::(k\\w+)") == names);
+  CHECK(FoundInSources("\\bCode::(k\\w+)") == names);
   CHECK(FoundInSources("\"([PW][0-9]{4})\"").empty());
   CHECK(FoundInSources("error\\[([PW][0-9]{4})\\]:").empty());
 }
