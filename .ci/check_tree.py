@@ -18,6 +18,7 @@ ARROWS = {
     "compiler": "grammar",
     "compiler/changes": "compiler grammar",
     "sim": "",
+    "sim/articulated": "sim",
     "runtime/text": "compiler/changes grammar",
     "runtime/workers": "",
     "runtime/authors": "compiler grammar",
@@ -64,7 +65,7 @@ DOORS = {
 NUMBER_READERS = re.compile(r"\b(strto(d|f|ld|l|ll|ul|ull)|sto(d|f|ld|i|l|ll|ul|ull)|sscanf)\(")
 # The rooms that build alone (preset core): as a page's module, too, which has
 # no threads, files, clocks or processes.
-CORE = """grammar compiler compiler/changes sim runtime/text runtime/authors
+CORE = """grammar compiler compiler/changes sim sim/articulated runtime/text runtime/authors
 runtime/develop runtime/scenario runtime/life runtime/compare runtime/recording
 runtime/advice runtime/vary runtime/pictures runtime/history
 runtime/lsp""".split()
