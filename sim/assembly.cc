@@ -13,6 +13,7 @@
 #include "sim/assembly.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cassert>
 #include <cstddef>
 
@@ -147,6 +148,13 @@ Assembly Assemble(const Body& body) {
   }
   for (Link& link : assembly.links) FinishLink(link);
   return assembly;
+}
+
+int ModulesOf(const Assembly& assembly) {
+  int count = 0;
+  for (const Link& link : assembly.links)
+    for (const Box& box : link.boxes) count = std::max(count, box.module + 1);
+  return count;
 }
 
 double TotalMass(const Assembly& assembly) {

@@ -51,6 +51,9 @@ struct Assembly {
 /// The body must hold at least the core.
 Assembly Assemble(const Body& body);
 
+/// Of the body: one more than the highest index that a box has.
+int ModulesOf(const Assembly& assembly);
+
 double TotalMass(const Assembly& assembly);  ///< kg
 
 }  // namespace plsc

@@ -9,6 +9,13 @@
 
 namespace plsc {
 
+/// What moves the robots (sim/engine).
+enum class EngineKind : std::uint8_t {
+  kOde,          ///< what the authors ran: the reference
+  kArticulated,  ///< the same equations in joint coordinates (sim/articulated)
+};
+
+/// Of ODE; the articulated engine has one method, which is exact.
 enum class Solver : std::uint8_t {
   kDirect,     ///< ODE dWorldStep: Dantzig's method, exact
   kIterative,  ///< ODE dWorldQuickStep: SOR
@@ -25,6 +32,7 @@ enum class ControllerMode : std::uint8_t {
 
 struct PhysicsOptions {
   double step = 0.005;  ///< s; the authors' flat world
+  EngineKind engine = EngineKind::kOde;
   Solver solver = Solver::kDirect;
   int solver_iterations = 50;  ///< kIterative only
   /// Robots of more links are solved iteratively whatever `solver` says: a

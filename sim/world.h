@@ -1,37 +1,24 @@
 #pragma once
 
-// One robot on its ground, moved step by step: the only door to ODE. Knows
-// links and joint speeds; what the speeds should be is sim/controller's
-// business. Worlds share nothing, so they may be stepped in several threads,
-// but each by one thread at a time.
+// One robot on its ground, moved step by step by the engine that its options
+// name. Knows links and joint speeds; what the speeds should be is
+// sim/controller's business. Worlds share nothing, so they may be stepped in
+// several threads, but each by one thread at a time.
 
 #include <Eigen/Core>
 #include <cstdint>
 #include <functional>
 #include <memory>
-#include <string>
 #include <vector>
 
 #include "sim/assembly.h"
+#include "sim/engine.h"
 #include "sim/ground.h"
 #include "sim/options.h"
-#include "sim/outcome.h"
 #include "sim/placement.h"
 #include "sim/terrain.h"
 
 namespace plsc {
-
-struct LinkMotion {
-  Eigen::Vector3d velocity;  ///< m/s, of the centre of mass
-  Eigen::Vector3d spin;      ///< rad/s, world frame
-};
-
-/// What a step is made of, in this order.
-enum class StepPart : std::uint8_t {
-  kCollision,  ///< contacts are found and handed to the solver
-  kSolver,     ///< ODE's step
-  kChecks,     ///< contacts are dropped, the new state is judged
-};
 
 class World {
  public:
@@ -41,9 +28,6 @@ class World {
   /// Elsewhere, all at rest.
   World(const Assembly& assembly, const Terrain& terrain,
         const SimulationOptions& options, const Placement& placement);
-  ~World();
-  World(const World&) = delete;
-  World& operator=(const World&) = delete;
 
   /// rad/s that the joint's motor strives for, until told otherwise.
   void SetJointSpeed(int joint, double speed);
@@ -61,10 +45,7 @@ class World {
   /// time goes: the world itself reads no clock.
   void Listen(std::function<void(StepPart)> listener);
 
-  struct Failure {
-    Outcome outcome = Outcome::kCompleted;
-    std::string reason;  ///< in words, of the latest step
-  };
+  using Failure = Engine::Failure;
   const Failure& failure() const;
 
   int joints() const;
@@ -80,15 +61,16 @@ class World {
   /// By Body::modules: whether a box of the module met the ground or another
   /// link in the latest step. Not subject to the cap on contacts.
   const std::vector<bool>& touched() const;
-  /// Warnings of the solver so far ("LCP internal error"): 0 to 3 in a life
-  /// of 50 s, with joint errors of a few millimetres at most.
+  /// Steps so far in which the solver found no answer and went on with what it
+  /// had. ODE ("LCP internal error"): 0 to 3 in a life of 50 s, with joint
+  /// errors of a few millimetres at most.
   int solver_warnings() const;
-  /// Of positions, quaternions and velocities of all links, bit for bit.
+  /// Of all that the next step depends on, bit for bit.
   std::uint64_t Hash() const;
 
  private:
-  struct Ode;
-  std::unique_ptr<Ode> ode_;
+  std::vector<Link> links_;  ///< in the rest pose
+  std::unique_ptr<Engine> engine_;
 };
 
 }  // namespace plsc

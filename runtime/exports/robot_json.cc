@@ -90,11 +90,13 @@ Json SensorsValue(const RobotModel& model) {
 
 Json PhysicsValue(const PhysicsOptions& physics) {
   // All of them: a constant more does not compile until it is written, too.
-  const auto& [step, solver, solver_iterations, max_direct_links, gravity,
-               world_erp, world_cfm, friction, slip, robot_kp, robot_kd,
-               ground_kp, ground_kd, damping, correcting_speed, surface_layer,
-               max_speed, max_spin, max_solver_failures] = physics;
+  const auto& [step, engine, solver, solver_iterations, max_direct_links,
+               gravity, world_erp, world_cfm, friction, slip, robot_kp,
+               robot_kd, ground_kp, ground_kd, damping, correcting_speed,
+               surface_layer, max_speed, max_spin, max_solver_failures] =
+      physics;
   return {{"step", step},
+          {"engine", engine == EngineKind::kOde ? "ode" : "articulated"},
           {"solver", solver == Solver::kDirect ? "direct" : "iterative"},
           {"solver_iterations", solver_iterations},
           {"max_direct_links", max_direct_links},

@@ -81,7 +81,7 @@ consteval std::size_t FieldCount() {
 // A field more must get its key here and in docs/experiments.md, or results
 // would depend on what no file says. `solver` and `refresh` are read by name.
 static_assert(FieldCount<PhysicsOptions>() ==
-              std::size(kPhysicsKeys) + std::size(kPhysicsIntKeys) + 1);
+              std::size(kPhysicsKeys) + std::size(kPhysicsIntKeys) + 2);
 static_assert(FieldCount<ServoOptions>() == std::size(kServoKeys) + 1);
 
 constexpr EnumNames<Solver, 2> kSolverNames{

@@ -1,5 +1,5 @@
 // For programs whose simulations end by ODE's own assertions: such a step loses
-// 80 bytes of ODE's own (sim/world.cc keeps the rest in reach); all other leaks
+// 80 bytes of ODE's own (sim/ode keeps the rest in reach); all other leaks
 // are told.
 
 // NOLINTNEXTLINE(bugprone-reserved-identifier,readability-identifier-naming)

@@ -1,23 +1,22 @@
 #pragma once
 
-// The inside of a World, for sim/world.cc and sim/world_contacts.cc alone:
-// ODE's objects and what collisions need. One struct and not a class of its
-// own: World is the interface.
+// ODE's objects and what collisions need, for the two sources of this room:
+// the steps and the contacts. Engine is the interface, so all is in the open.
 
 #include <ode/ode.h>
 
 #include <Eigen/Core>
-#include <functional>
+#include <cstdint>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "sim/contact_law.h"
+#include "sim/engine.h"
 #include "sim/height_field.h"
+#include "sim/ode/solver_order.h"
 #include "sim/overlap.h"
-#include "sim/solver_order.h"
+#include "sim/state_check.h"
 #include "sim/static_boxes.h"
-#include "sim/world.h"
 
 namespace plsc {
 
@@ -36,7 +35,7 @@ inline void FillMatrix(const Eigen::Matrix3d& from, dMatrix3 to) {
       from;
 }
 
-struct World::Ode {
+struct OdeEngine final : Engine {
   dWorldID world = nullptr;
   dThreadingImplementationID threading = nullptr;
   dJointGroupID group = nullptr;
@@ -48,7 +47,6 @@ struct World::Ode {
   std::vector<Link> links;  ///< in the rest pose
   std::vector<LinkCorners> corners;
   std::vector<LinkPair> pairs;
-  std::vector<bool> touched;
   std::vector<GroundContact> found, upright, leaning;  ///< kept for memory
   std::vector<StaticBox> boxes_near;                   ///< kept for memory
   Terrain terrain;
@@ -58,27 +56,28 @@ struct World::Ode {
   PhysicsOptions physics;
   ContactLaw on_ground, on_robot;
   SolverOrder order;
-  int contacts = 0;
-  int warnings = 0;
-  double most_warnings = 0;
   bool is_direct = true;
   bool is_lost = false;  ///< interrupted within a step
-  World::Failure failure;
-  std::function<void(StepPart)> listener;  ///< may be empty
-  Ode* next_kept = nullptr;
+  StateCheck check;
 
-  Ode(const Assembly& assembly, const Terrain& terrain,
-      const SimulationOptions& options, const Placement& placement);
-  ~Ode();
-  Ode(const Ode&) = delete;
-  Ode& operator=(const Ode&) = delete;
+  explicit OdeEngine(const Scene& scene);
+  ~OdeEngine() override;
+
+  void SetJointSpeed(int joint, double speed) override;
+  void SetMotion(int link, const LinkMotion& motion) override;
+  void SetState(int link, const LinkPose& pose,
+                const LinkMotion& motion) override;
+  bool Step() override;
+  double JointAngle(int joint) const override;
+  LinkPose PoseOf(int link) const override;
+  LinkMotion MotionOf(int link) const override;
+  std::uint64_t Hash() const override;
 
   void AddBody(const Link& link, const Placement& placement);
   void AddHinge(const Hinge& hinge, const Placement& placement,
                 const ServoOptions& servo);
   void AddGeoms(const Link& link, dBodyID body);
 
-  LinkPose PoseOf(std::size_t link) const;
   void CollideGround(std::size_t link);
   void CollideRough(std::size_t link);
   void CollideObstacles(std::size_t link);
@@ -91,8 +90,6 @@ struct World::Ode {
   void AddContact(const dContactGeom& geometry, const ContactLaw& law,
                   dBodyID first, dBodyID second);
   void Collide();
-  bool TakeStep();
-  bool Fail(Outcome outcome, std::string reason);
   bool IsSane();
 };
 

@@ -13,7 +13,7 @@
 #include <array>
 #include <cstddef>
 
-#include "sim/world_ode.h"
+#include "sim/ode/ode_engine.h"
 
 namespace plsc {
 namespace {
@@ -28,8 +28,8 @@ constexpr double kUpright = 0.7071;
 
 }  // namespace
 
-void World::Ode::AddContact(const dContactGeom& geometry, const ContactLaw& law,
-                            dBodyID first, dBodyID second) {
+void OdeEngine::AddContact(const dContactGeom& geometry, const ContactLaw& law,
+                           dBodyID first, dBodyID second) {
   dContact contact = {};  // ODE reads fields that the mode does not name
   // Approx1 makes mu a coefficient; without it, it would be a force in N.
   contact.surface.mode = dContactApprox1 | dContactSlip1 | dContactSlip2 |
@@ -44,7 +44,7 @@ void World::Ode::AddContact(const dContactGeom& geometry, const ContactLaw& law,
   ++contacts;
 }
 
-void World::Ode::Push(std::size_t link, const FewContacts& points) {
+void OdeEngine::Push(std::size_t link, const FewContacts& points) {
   for (const GroundContact& contact : points) {
     dContactGeom geometry = {};
     for (int i = 0; i < 3; ++i) {
@@ -56,17 +56,19 @@ void World::Ode::Push(std::size_t link, const FewContacts& points) {
   }
 }
 
-void World::Ode::CollideGround(std::size_t link) {
+void OdeEngine::CollideGround(std::size_t link) {
   found.clear();
-  AppendGroundContacts(corners[link], PoseOf(link), ground, found);
+  AppendGroundContacts(corners[link], PoseOf(static_cast<int>(link)), ground,
+                       found);
   for (const GroundContact& contact : found)
     touched[static_cast<std::size_t>(contact.module)] = true;
   Push(link, Spanning(found, ground));
 }
 
-void World::Ode::CollideRough(std::size_t link) {
+void OdeEngine::CollideRough(std::size_t link) {
   found.clear();
-  AppendRoughContacts(corners[link], PoseOf(link), *field, found);
+  AppendRoughContacts(corners[link], PoseOf(static_cast<int>(link)), *field,
+                      found);
   for (const GroundContact& contact : found)
     touched[static_cast<std::size_t>(contact.module)] = true;
   Push(link, Spanning(found, ground));
@@ -74,8 +76,8 @@ void World::Ode::CollideRough(std::size_t link) {
 
 /// The points where one box of the robot meets one of the ground, sorted by
 /// whether they hold it up or aside.
-void World::Ode::CollideObstacle(std::size_t link, std::size_t box,
-                                 const StaticBox& other) {
+void OdeEngine::CollideObstacle(std::size_t link, std::size_t box,
+                                const StaticBox& other) {
   dGeomBoxSetLengths(obstacle, other.size.x(), other.size.y(), other.size.z());
   dGeomSetPosition(obstacle, other.centre.x(), other.centre.y(),
                    other.centre.z());
@@ -92,7 +94,7 @@ void World::Ode::CollideObstacle(std::size_t link, std::size_t box,
   }
 }
 
-void World::Ode::CollideObstacles(std::size_t link) {
+void OdeEngine::CollideObstacles(std::size_t link) {
   const double highest = terrain.type == TerrainType::kSteps
                              ? terrain.steps.count * terrain.steps.height
                              : terrain.obstacles.height;
@@ -117,7 +119,7 @@ void World::Ode::CollideObstacles(std::size_t link) {
   if (!leaning.empty()) Push(link, Spanning(leaning, leaning.front().normal));
 }
 
-void World::Ode::Collide() {
+void OdeEngine::Collide() {
   if (field) {
     for (std::size_t i = 0; i < links.size(); ++i) CollideRough(i);
   } else {
@@ -130,7 +132,7 @@ void World::Ode::Collide() {
                  static_cast<std::size_t>(pair.b));
 }
 
-void World::Ode::CollideLinks(std::size_t a, std::size_t b) {
+void OdeEngine::CollideLinks(std::size_t a, std::size_t b) {
   const Vector3d apart = ToVector(dBodyGetPosition(bodies[a])) -
                          ToVector(dBodyGetPosition(bodies[b]));
   const double reach = corners[a].radius + corners[b].radius;
@@ -139,8 +141,8 @@ void World::Ode::CollideLinks(std::size_t a, std::size_t b) {
     for (std::size_t j = 0; j < geoms[b].size(); ++j) CollideBoxes(a, b, i, j);
 }
 
-void World::Ode::CollideBoxes(std::size_t a, std::size_t b, std::size_t box_a,
-                              std::size_t box_b) {
+void OdeEngine::CollideBoxes(std::size_t a, std::size_t b, std::size_t box_a,
+                             std::size_t box_b) {
   const Box& first = links[a].boxes[box_a];
   const Box& second = links[b].boxes[box_b];
   const dGeomID geom_a = geoms[a][box_a];

@@ -1,4 +1,4 @@
-#include "sim/solver_order.h"
+#include "sim/ode/solver_order.h"
 
 #include <catch2/catch.hpp>
 #include <vector>
