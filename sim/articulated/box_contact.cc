@@ -194,12 +194,13 @@ int ContactOfEdges(const OrientedBox& a, const OrientedBox& b,
                             u[2] * v[0] - u[0] * v[2],
                             u[0] * v[1] - u[1] * v[0]};
   const double square = DotOf(across, across);
+  const double sine = std::sqrt(square);
   // The first box is before the second.
   const double apart[3] = {b.centre[0] - a.centre[0], b.centre[1] - a.centre[1],
                            b.centre[2] - a.centre[2]};
   const double sign = DotOf(apart, across) < 0 ? 1 : -1;
   for (int k = 0; k < 3; ++k)
-    contact.normal[k] = sign * across[k] / std::sqrt(square);
+    contact.normal[k] = sign * across[k] / sine;
   // The middles of the two edges, and which of four each is.
   double on_a[3], on_b[3];
   std::copy_n(a.centre, 3, on_a);
