@@ -26,6 +26,10 @@ Vector3d Of(const double (&v)[3]) {
   return {v[0], v[1], v[2]};
 }
 
+Vector3d VectorOf(const dVector3& v) {
+  return {v[0], v[1], v[2]};
+}
+
 /// A link of one box, somewhere about its centre of mass.
 struct LoneBox {
   LinkCorners corners;
@@ -102,16 +106,13 @@ TEST_CASE("Random boxes meet a plane as ODE's do", "[ground][slow]") {
     for (int k = 0; k < count; ++k) {
       const dContactGeom& other = others.at(static_cast<std::size_t>(k));
       other_depth = std::max(other_depth, other.depth);
-      const Vector3d position(other.pos[0], other.pos[1], other.pos[2]);
-      const Vector3d direction(other.normal[0], other.normal[1],
-                               other.normal[2]);
-      if ((direction - normal).norm() > 1e-12) ++normals;
+      if ((VectorOf(other.normal) - normal).norm() > 1e-12) ++normals;
       // Each of ODE's is one of ours.
-      if (std::none_of(contacts.begin(), contacts.end(),
-                       [&](const GroundContact& c) {
-                         return (c.position - position).norm() < 1e-12 &&
-                                std::abs(c.depth - other.depth) < 1e-12;
-                       }))
+      if (std::none_of(
+              contacts.begin(), contacts.end(), [&](const GroundContact& c) {
+                return (c.position - VectorOf(other.pos)).norm() < 1e-12 &&
+                       std::abs(c.depth - other.depth) < 1e-12;
+              }))
         ++points;
     }
     if (std::abs(depth - other_depth) > 1e-12) ++deepest;
@@ -119,9 +120,11 @@ TEST_CASE("Random boxes meet a plane as ODE's do", "[ground][slow]") {
   dGeomDestroy(box);
   dGeomDestroy(plane);
   INFO("seed " << kSeed);
-  UNSCOPED_INFO(touching << " " << touch << " " << deepest << " " << normals
-                         << " " << points);
-  CHECK(false);
+  CHECK(touching > 50000);
+  CHECK(touch == 0);
+  CHECK(deepest == 0);
+  CHECK(normals == 0);
+  CHECK(points == 0);
 }
 
 /// The field as ODE's grid of heights. Its y is up, which is turned to z.
@@ -162,8 +165,7 @@ class OdeField {
 TEST_CASE("Random boxes meet rough ground as the field says",
           "[ground][slow]") {
   constexpr std::uint64_t kSeed = 32;
-  int touching = 0, imagined = 0, unseen = 0, shallow = 0, wrong_normal = 0,
-      wrong_depth = 0;
+  int touching = 0, imagined = 0, unseen = 0, shallow = 0, wrong_normal = 0;
   double most_unseen = 0, most_lost = 0, most_off = 0;
   test::RandomBoxes random(kSeed);
   std::vector<GroundContact> contacts;
@@ -202,17 +204,20 @@ TEST_CASE("Random boxes meet rough ground as the field says",
     if ((normal - c.normal).norm() > 1e-8) ++wrong_normal;
     const double point[] = {c.position.x(), c.position.y(), c.position.z()};
     const double nearest = test::NearestSurface(field, point);
-    const double off = std::abs(nearest - c.depth) / c.depth;
-    most_off = std::max(most_off, off);
-    if (off > 0.05) ++wrong_depth;
+    most_off = std::max(most_off, std::abs(nearest - c.depth) / c.depth);
   }
   INFO("seed " << kSeed);
-  UNSCOPED_INFO(touching << " imagined " << imagined << " unseen " << unseen
-                         << " shallow " << shallow << " normal " << wrong_normal
-                         << " depth " << wrong_depth << " most unseen "
-                         << most_unseen << " lost " << most_lost << " off "
-                         << most_off);
-  CHECK(false);
+  CHECK(touching > 60000);
+  CHECK(wrong_normal == 0);
+  // The tangent plane is the surface but for its curvature: 0.0007.
+  CHECK(most_off < 0.001);
+  CHECK(imagined == 0);
+  // Between the points that are looked at: 1 hill that nothing else touches,
+  // and 530 that are deeper than the points, by 0.37 mm at most.
+  CHECK(unseen <= 5);
+  CHECK(most_unseen < 1e-4);
+  CHECK(shallow <= 600);
+  CHECK(most_lost < 5e-4);
 }
 
 TEST_CASE("Random boxes meet rough ground as ODE's do", "[ground][slow]") {
@@ -221,7 +226,8 @@ TEST_CASE("Random boxes meet rough ground as ODE's do", "[ground][slow]") {
   const HeightField field({7, 0.01, 0.2});
   const OdeField ode(field);
   const dGeomID box = dCreateBox(nullptr, 1, 1, 1);
-  int touching = 0, only_own = 0, only_ode = 0, unmatched = 0, compared = 0;
+  int touching = 0, only_own = 0, only_ode = 0;
+  int matched = 0, own_deeper = 0, ode_deeper = 0;
   double most_depth = 0, most_normal = 0;
   test::RandomBoxes random(kSeed);
   std::vector<GroundContact> contacts;
@@ -236,39 +242,38 @@ TEST_CASE("Random boxes meet rough ground as ODE's do", "[ground][slow]") {
         dCollide(box, ode.geom(), 2000, others.data(), sizeof(dContactGeom));
     if (!contacts.empty()) ++touching;
     if (contacts.empty() != (count == 0)) ++(count == 0 ? only_own : only_ode);
-    for (const GroundContact& c : contacts) {
-      ++compared;
-      double nearest = 1;
-      const dContactGeom* best = nullptr;
+    double depth = 0, other_depth = 0;
+    for (const GroundContact& c : contacts) depth = std::max(depth, c.depth);
+    for (int k = 0; k < count; ++k)
+      other_depth =
+          std::max(other_depth, others.at(static_cast<std::size_t>(k)).depth);
+    if (depth > other_depth + 3e-5) ++own_deeper;
+    if (other_depth > depth + 3e-5) ++ode_deeper;
+    for (const GroundContact& c : contacts)
       for (int k = 0; k < count; ++k) {
         const dContactGeom& other = others.at(static_cast<std::size_t>(k));
-        const double apart =
-            (Vector3d(other.pos[0], other.pos[1], other.pos[2]) - c.position)
-                .norm();
-        if (apart < nearest) {
-          nearest = apart;
-          best = &other;
-        }
+        if ((VectorOf(other.pos) - c.position).norm() > 1e-9) continue;
+        ++matched;
+        most_depth = std::max(most_depth, std::abs(other.depth - c.depth));
+        most_normal =
+            std::max(most_normal, (VectorOf(other.normal) - c.normal).norm());
+        break;
       }
-      if (nearest > 1e-9) {
-        ++unmatched;
-        continue;
-      }
-      most_depth = std::max(most_depth, std::abs(best->depth - c.depth));
-      most_normal = std::max(
-          most_normal,
-          (Vector3d(best->normal[0], best->normal[1], best->normal[2]) -
-           c.normal)
-              .norm());
-    }
   }
   dGeomDestroy(box);
   INFO("seed " << kSeed);
-  UNSCOPED_INFO(touching << " only own " << only_own << " only ode " << only_ode
-                         << " compared " << compared << " unmatched "
-                         << unmatched << " depth " << most_depth << " normal "
-                         << most_normal);
-  CHECK(false);
+  CHECK(touching > 2500);
+  CHECK(only_own == 0);
+  CHECK(only_ode == 0);
+  // Of a grid of 4 mm.
+  CHECK(most_depth < 3e-5);
+  CHECK(most_normal < 0.01);
+  // ODE keeps four points of each plane that it makes of triangles, and knows
+  // no points between corners: of 16615 points it has 6904. So its deepest may
+  // be another, 198 times.
+  CHECK(matched > 6500);
+  CHECK(ode_deeper == 0);
+  CHECK(own_deeper <= 220);
 }
 
 }  // namespace
