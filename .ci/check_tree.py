@@ -17,22 +17,23 @@ ARROWS = {
     "grammar": "",
     "compiler": "grammar",
     "compiler/changes": "compiler grammar",
-    "sim": "",
+    "sim/maths": "",
+    "sim": "sim/maths",
     "sim/ode": "sim",
-    "sim/articulated": "sim",
+    "sim/articulated": "sim sim/maths",
     "runtime/text": "compiler/changes grammar",
     "runtime/workers": "",
     "runtime/authors": "compiler grammar",
-    "runtime/develop": "runtime/text compiler grammar sim",
+    "runtime/develop": "runtime/text compiler grammar sim sim/maths",
     "runtime/scenario": "runtime/text compiler grammar sim",
     "runtime/life": "runtime/develop runtime/scenario runtime/text compiler grammar sim",
     "runtime/compare": "runtime/develop runtime/text compiler compiler/changes grammar sim",
     "runtime/recording": "runtime/life runtime/scenario runtime/text grammar sim",
     "runtime/advice": "runtime/compare runtime/develop runtime/text compiler grammar sim",
-    "runtime/vary": "compiler grammar",
+    "runtime/vary": "compiler grammar sim/maths",
     "runtime/evolve": "runtime/vary runtime/life runtime/scenario runtime/develop runtime/workers runtime/text compiler grammar sim",
     "runtime/pictures": "runtime/recording runtime/compare runtime/develop runtime/text compiler grammar sim",
-    "runtime/exports": "runtime/recording runtime/life runtime/scenario runtime/text grammar sim",
+    "runtime/exports": "runtime/recording runtime/life runtime/scenario runtime/text grammar sim sim/maths",
     "runtime/store": "runtime/evolve runtime/vary runtime/life runtime/scenario runtime/develop runtime/text compiler grammar sim",
     "runtime/history": "runtime/pictures runtime/compare runtime/develop runtime/text compiler grammar sim",
     "runtime/study": "runtime/store runtime/evolve runtime/text grammar",
@@ -66,7 +67,7 @@ DOORS = {
 NUMBER_READERS = re.compile(r"\b(strto(d|f|ld|l|ll|ul|ull)|sto(d|f|ld|i|l|ll|ul|ull)|sscanf)\(")
 # The rooms that build alone (preset core): as a page's module, too, which has
 # no threads, files, clocks or processes.
-CORE = """grammar compiler compiler/changes sim sim/ode
+CORE = """grammar compiler compiler/changes sim/maths sim sim/ode
 sim/articulated runtime/text runtime/authors
 runtime/develop runtime/scenario runtime/life runtime/compare runtime/recording
 runtime/advice runtime/vary runtime/pictures runtime/history
