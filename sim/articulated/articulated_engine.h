@@ -66,7 +66,6 @@ class ArticulatedEngine final : public Engine {
   Problem problem_;
   std::vector<LinkMomenta> momenta_;
   std::vector<double> excess_;  ///< rad/s by link
-  std::vector<std::uint32_t> in_phase_;
   const std::vector<Contact>* found_ = nullptr;
   StateCheck check_;
   Report report_;

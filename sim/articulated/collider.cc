@@ -104,9 +104,7 @@ Collider::Collider(const Scene& scene, const Model& model)
                  terrain_.type == TerrainType::kObstacles),
       highest_(terrain_.type == TerrainType::kSteps
                    ? terrain_.steps.count * terrain_.steps.height
-                   : terrain_.obstacles.height),
-      on_ground_(RobotOnGround(scene.options.physics)),
-      on_robot_(RobotOnRobot(scene.options.physics)) {
+                   : terrain_.obstacles.height) {
   if (terrain_.type == TerrainType::kRough) field_.emplace(terrain_.rough);
   std::size_t most = 0;
   for (const Link& link : scene.assembly.links) {
@@ -164,13 +162,14 @@ void Collider::Push(int link, const FewContacts& points, std::uint64_t kind) {
     Contact contact;
     contact.link = link;
     contact.point = point.position;
-    contact.directions =
-        kind == 0 && !field_
-            ? std::array<Vector3d, 3>{Vector3d::UnitZ(), Vector3d::UnitX(),
-                                      Vector3d::UnitY()}
-            : Directions(point.normal);
+    contact.is_on_plane = kind == 0 && !field_;
+    if (contact.is_on_plane) {
+      contact.directions = {Vector3d::UnitZ(), Vector3d::UnitX(),
+                            Vector3d::UnitY()};
+    } else {
+      contact.directions = Directions(point.normal);
+    }
     contact.depth = point.depth;
-    contact.law = on_ground_;
     contact.key = (kind << 56) | (static_cast<std::uint64_t>(link) << 40) |
                   static_cast<std::uint64_t>(point.key);
     contacts_.push_back(contact);
@@ -281,10 +280,14 @@ double Collider::FindPair(const State& state, std::size_t pair,
                                   ((i * b.boxes.size() + j) * kBoxContactKeys);
         for (int point = 0; point < count; ++point) {
           const BoxContact& touch = points[static_cast<std::size_t>(point)];
-          contacts_.push_back({own.a, own.b, ToVector(touch.position),
-                               Directions(ToVector(touch.normal)), touch.depth,
-                               on_robot_,
-                               key + static_cast<std::uint64_t>(touch.key)});
+          Contact contact;
+          contact.link = own.a;
+          contact.other = own.b;
+          contact.point = ToVector(touch.position);
+          contact.directions = Directions(ToVector(touch.normal));
+          contact.depth = touch.depth;
+          contact.key = key + static_cast<std::uint64_t>(touch.key);
+          contacts_.push_back(contact);
         }
         if (count > 0) {
           touched[static_cast<std::size_t>(a.boxes[i].module)] = true;

@@ -58,7 +58,6 @@ class Collider {
   std::optional<HeightField> field_;
   bool has_boxes_ = false;
   double highest_ = 0;  ///< m, of boxes on the ground
-  ContactLaw on_ground_, on_robot_;
   std::vector<LinkCorners> corners_;
   std::vector<Pair> pairs_;
   double turned_ = 0, next_due_ = 0;  ///< rad

@@ -7,8 +7,6 @@
 #include <array>
 #include <cstdint>
 
-#include "sim/contact_law.h"
-
 namespace plsc::articulated {
 
 inline constexpr int kGround = -1;
@@ -19,8 +17,8 @@ struct Contact {
   Eigen::Vector3d point;  ///< m, from the base's centre, ground axes
   /// The normal, then two across it, along which friction acts: unit.
   std::array<Eigen::Vector3d, 3> directions;
-  double depth = 0;  ///< m
-  ContactLaw law;
+  double depth = 0;          ///< m
+  bool is_on_plane = false;  ///< directions are z, x and y
   /// Tells the point from all others of the robot, and stays while they touch.
   std::uint64_t key = 0;
 };

@@ -17,15 +17,12 @@
 #include "sim/articulated/contact_rows.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace plsc::articulated {
 namespace {
 
 using Eigen::Vector3d;
-
-// m/s per N. A row that yields nothing has no force of its own; this little is
-// a hundredth of the stiffest contact's.
-constexpr double kLeastYield = 1e-9;
 
 /// Of a point of a link at the baseline.
 Vector3d SpeedOf(const State& state, const std::vector<LinkMomenta>& momenta,
@@ -35,10 +32,21 @@ Vector3d SpeedOf(const State& state, const std::vector<LinkMomenta>& momenta,
          momenta[k].spin.cross(point - state.links[k].place);
 }
 
+Grip::Kind KindOf(const Contact& contact) {
+  if (contact.other != kGround) return Grip::Kind::kBetween;
+  return contact.is_on_plane ? Grip::Kind::kPlane : Grip::Kind::kAny;
+}
+
 }  // namespace
 
 ContactRows::ContactRows(const Model& model, const PhysicsOptions& physics)
-    : model_(model), physics_(physics) {}
+    : model_(model),
+      physics_(physics),
+      on_ground_(RobotOnGround(physics)),
+      on_robot_(RobotOnRobot(physics)),
+      pressing_on_ground_(StiffnessOf(on_ground_.cfm)),
+      pressing_on_robot_(StiffnessOf(on_robot_.cfm)),
+      rubbing_(StiffnessOf(physics.slip)) {}
 
 void ContactRows::Forget() {
   last_.clear();
@@ -72,28 +80,22 @@ void ContactRows::Add(const std::vector<Contact>& contacts, const State& state,
     Vector3d speed = SpeedOf(state, momenta, contact.link, contact.point);
     if (contact.other != kGround)
       speed -= SpeedOf(state, momenta, contact.other, contact.point);
+    const std::size_t first = 3 * problem.contacts();
+    problem.AddContact({KindOf(contact), contact.point, contact.directions});
+    const double pressing =
+        contact.other == kGround ? pressing_on_ground_ : pressing_on_robot_;
     for (std::size_t i = 0; i < 3; ++i) {
-      const Vector3d& along = contact.directions[i];
-      const std::size_t index = problem.AddRow();
-      Row& row = problem.At(index);
-      row.offset = along.dot(speed);
-      row.yield =
-          std::max(i == 0 ? contact.law.cfm : physics_.slip, kLeastYield);
-      if (i == 0) {
-        const double depth =
-            std::max(contact.depth - physics_.surface_layer, 0.0);
-        row.target = std::min(contact.law.erp * depth / physics_.step,
-                              physics_.correcting_speed);
-        row.high = std::numeric_limits<double>::infinity();
-      }
-      if (contact.other != kGround) continue;
-      double* const direction = problem.Direction(index);
-      const Vector3d turn = contact.point.cross(along);
-      for (int axis = 0; axis < 3; ++axis) {
-        direction[axis] = turn[axis];
-        direction[3 + axis] = along[axis];
-      }
+      Row& row = problem.RowAt(first + i);
+      row.offset = contact.directions[i].dot(speed);
+      row.stiffness = i == 0 ? pressing : rubbing_;
     }
+    Row& normal = problem.RowAt(first);
+    const double depth = std::max(contact.depth - physics_.surface_layer, 0.0);
+    normal.target =
+        std::min((contact.other == kGround ? on_ground_ : on_robot_).erp *
+                     depth / physics_.step,
+                 physics_.correcting_speed);
+    normal.high = std::numeric_limits<double>::infinity();
   }
 }
 
@@ -109,15 +111,9 @@ void ContactRows::AddJoint(int link, int unknown, const State& state,
     Vector3d speed = joint.hinge.cross(contact.point - joint.anchor);
     if (moves_other) speed = -speed;
     for (std::size_t row = 0; row < 3; ++row)
-      problem.Direction(3 * i + row)[unknown] =
-          contact.directions[row].dot(speed);
+      problem.SetEffect(unknown, 3 * i + row,
+                        contact.directions[row].dot(speed));
   }
-}
-
-void ContactRows::Append(Phase phase, std::vector<std::uint32_t>& rows) const {
-  const auto count = static_cast<std::uint32_t>(3 * contacts_->size());
-  const std::uint32_t every = phase == kPressing ? 3 : 1;
-  for (std::uint32_t row = 0; row < count; row += every) rows.push_back(row);
 }
 
 void ContactRows::Begin(Phase phase, Problem& problem) {
@@ -125,16 +121,16 @@ void ContactRows::Begin(Phase phase, Problem& problem) {
     const Known& known = known_[i];
     if (known.is_new && phase == kRubbing) continue;  // as the first left it
     for (std::size_t row = 0; row < 3; ++row)
-      problem.At(3 * i + row).hold = known.holds[phase][row];
+      problem.RowAt(3 * i + row).hold = known.holds[phase][row];
   }
 }
 
 void ContactRows::End(Phase phase, Problem& problem) {
   for (std::size_t i = 0; i < known_.size(); ++i) {
     Known& known = known_[i];
-    const double normal = problem.At(3 * i).force;
+    const double normal = problem.RowAt(3 * i).force;
     for (std::size_t row = 0; row < 3; ++row) {
-      Row& own = problem.At(3 * i + row);
+      Row& own = problem.RowAt(3 * i + row);
       known.holds[phase][row] = own.hold;
       if (phase == kPressing && row > 0) {
         own.high = physics_.friction * normal;
@@ -149,10 +145,10 @@ void ContactRows::AddForces(Phase phase, const Problem& problem,
                             std::vector<Spatial>& wrenches) const {
   for (std::size_t i = 0; i < contacts_->size(); ++i) {
     const Contact& contact = (*contacts_)[i];
-    Vector3d force = problem.At(3 * i).force * contact.directions[0];
+    Vector3d force = problem.RowAt(3 * i).force * contact.directions[0];
     if (phase == kRubbing)
-      force += problem.At(3 * i + 1).force * contact.directions[1] +
-               problem.At(3 * i + 2).force * contact.directions[2];
+      force += problem.RowAt(3 * i + 1).force * contact.directions[1] +
+               problem.RowAt(3 * i + 2).force * contact.directions[2];
     const Vector3d torque = contact.point.cross(force);
     Spatial& own = wrenches[static_cast<std::size_t>(contact.link)];
     own.angular += torque;

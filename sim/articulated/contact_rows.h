@@ -9,17 +9,10 @@
 #include "sim/articulated/contact.h"
 #include "sim/articulated/momenta.h"
 #include "sim/articulated/problem.h"
+#include "sim/contact_law.h"
 #include "sim/options.h"
 
 namespace plsc::articulated {
-
-/// The two problems of a step. Friction may be mu times the normal force of
-/// the first.
-enum Phase : std::uint8_t {
-  kPressing,  ///< without friction
-  kRubbing,   ///< with all rows
-};
-inline constexpr int kPhases = 2;
 
 class ContactRows {
  public:
@@ -32,8 +25,6 @@ class ContactRows {
   /// As functions of a joint's speed, too, that became an unknown.
   void AddJoint(int link, int unknown, const State& state, Problem& problem);
 
-  /// Appends the rows of the phase.
-  void Append(Phase phase, std::vector<std::uint32_t>& rows) const;
   /// Holds as the last step left this phase.
   void Begin(Phase phase, Problem& problem);
   /// After each phase: holds are kept; after the first, friction gets limits.
@@ -60,6 +51,8 @@ class ContactRows {
 
   const Model& model_;
   PhysicsOptions physics_;
+  ContactLaw on_ground_, on_robot_;
+  double pressing_on_ground_, pressing_on_robot_, rubbing_;  ///< stiffness
   const std::vector<Contact>* contacts_ = nullptr;
   std::vector<Known> known_, last_;
   std::size_t next_ = 0;  ///< in last_, where the next contact is likely

@@ -31,22 +31,33 @@ Symmetric TurnedOut(const Eigen::Matrix3d& axes,
                     const Eigen::Matrix3d& inertia);
 
 struct LinkState {
-  Eigen::Matrix3d axes;    ///< columns: of the link
-  Eigen::Vector3d place;   ///< m, its centre of mass, from the base's
-  Eigen::Vector3d hinge;   ///< unit, direction of its joint's axis
-  Eigen::Vector3d anchor;  ///< m, of its joint, from the base's centre
-  double angle = 0;        ///< rad, of its joint
+  /// columns: of the link
+  Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
+  /// m, its centre of mass, from the base's
+  Eigen::Vector3d place = Eigen::Vector3d::Zero();
+  /// unit, direction of its joint's axis
+  Eigen::Vector3d hinge = Eigen::Vector3d::Zero();
+  /// m, of its joint, from the base's centre
+  Eigen::Vector3d anchor = Eigen::Vector3d::Zero();
+  double angle = 0;  ///< rad, of its joint
 
   // As the last step left them, at the pose before.
-  Eigen::Vector3d velocity;  ///< m/s
-  Eigen::Vector3d spin;      ///< rad/s
+  /// m/s
+  Eigen::Vector3d velocity = Eigen::Vector3d::Zero();
+  /// rad/s
+  Eigen::Vector3d spin = Eigen::Vector3d::Zero();
 
   // What it carries on (sim/articulated/momenta).
-  Eigen::Vector3d carried;   ///< m/s, momentum per mass
-  Eigen::Vector3d drift;     ///< m, from where it is to where that acts
-  Eigen::Vector3d bend;      ///< m/s, by which joints bend its way in a step
-  Eigen::Vector3d turning;   ///< kg m2/s, momentum of spin
-  Eigen::Vector3d gyration;  ///< kg m2/s, what half a step turns of it
+  /// m/s, momentum per mass
+  Eigen::Vector3d carried = Eigen::Vector3d::Zero();
+  /// m, from where it is to where that acts
+  Eigen::Vector3d drift = Eigen::Vector3d::Zero();
+  /// m/s, by which joints bend its way in a step
+  Eigen::Vector3d bend = Eigen::Vector3d::Zero();
+  /// kg m2/s, momentum of spin
+  Eigen::Vector3d turning = Eigen::Vector3d::Zero();
+  /// kg m2/s, what half a step turns of it
+  Eigen::Vector3d gyration = Eigen::Vector3d::Zero();
 };
 
 struct State {

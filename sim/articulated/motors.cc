@@ -27,9 +27,6 @@
 namespace plsc::articulated {
 namespace {
 
-// rad/s per N m; ODE's smallest use is 1e-10 (a row without any would have no
-// force of its own).
-constexpr double kLeastYield = 1e-9;
 constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 
 }  // namespace
@@ -77,10 +74,21 @@ void Motors::Begin(const std::vector<Contact>& contacts, const Step& step) {
 void Motors::MakeFree(int link, Hold hold, const Step& step) {
   const auto k = static_cast<std::size_t>(link);
   const LinkMomenta& own = step.momenta[k];
+  const double angle = step.state.links[k].angle;
+  Row row;
+  if (IsAtStop(angle)) {
+    row = StopRow(targets_[k], angle);
+  } else {
+    row.low = -servo_.max_torque;
+    row.high = servo_.max_torque;
+  }
+  row.stiffness = StiffnessOf(physics_.world_cfm);
+  row.hold = hold;
+
   Problem& problem = step.problem;
   Free free;
   free.link = link;
-  free.unknown = problem.AddUnknown();
+  free.unknown = problem.AddJoint(row);
   for (int i = 0; i < 3; ++i) {
     problem.Mass(free.unknown, i) = own.momentum.angular[i];
     problem.Mass(free.unknown, 3 + i) = own.momentum.linear[i];
@@ -89,48 +97,36 @@ void Motors::MakeFree(int link, Hold hold, const Step& step) {
     problem.Mass(free.unknown, other.unknown) =
         Coupling(model_, step.momenta, link, other.link);
   problem.Mass(free.unknown, free.unknown) = own.motion.dot(own.momentum);
-  problem.Aim(free.unknown) = own.aim;
+  problem.Aim(free.unknown) = own.aim + PushAtStop(targets_[k], angle);
   step.contacts.AddJoint(link, free.unknown, step.state, problem);
 
-  free.row = static_cast<std::uint32_t>(problem.AddRow());
-  problem.Direction(free.row)[free.unknown] = 1;
-  Row& row = problem.At(free.row);
-  row.yield = std::max(physics_.world_cfm, kLeastYield);
-  const double angle = step.state.links[k].angle;
-  if (IsAtStop(angle)) {
-    SetStop(link, angle, free, problem);
-  } else {
-    row.low = -servo_.max_torque;
-    row.high = servo_.max_torque;
-  }
-  row.hold = hold;
   for (const Phase phase : {kPressing, kRubbing})
     free.holds[phase] = hold == Hold::kFree ? holds_[phase][k] : hold;
   free_of_[k] = static_cast<int>(free_.size());
   free_.push_back(free);
 }
 
-void Motors::SetStop(int link, double angle, const Free& free,
-                     Problem& problem) const {
-  Row& row = problem.At(free.row);
-  const double target = targets_[static_cast<std::size_t>(link)];
+Row Motors::StopRow(double target, double angle) const {
   const bool is_low = angle <= -servo_.range;
   const double beyond = is_low ? angle + servo_.range : angle - servo_.range;
+  Row row;
   row.offset = target;
   row.target = -physics_.world_erp / physics_.step * beyond;
   row.low = is_low ? 0 : -kNoLimit;
   row.high = is_low ? kNoLimit : 0;
-  const bool pushes_up = target > 0 || (target == 0 && !is_low);
-  problem.Aim(free.unknown) +=
-      physics_.step * (pushes_up ? servo_.max_torque : -servo_.max_torque);
+  return row;
 }
 
-void Motors::Append(std::vector<std::uint32_t>& rows) const {
-  for (const Free& free : free_) rows.push_back(free.row);
+/// N m s, what a servo at a stop does in a step.
+double Motors::PushAtStop(double target, double angle) const {
+  if (!IsAtStop(angle)) return 0;
+  const bool is_up = target > 0 || (target == 0 && angle >= servo_.range);
+  return physics_.step * (is_up ? servo_.max_torque : -servo_.max_torque);
 }
 
 void Motors::BeginPhase(Phase phase, Problem& problem) const {
-  for (const Free& free : free_) problem.At(free.row).hold = free.holds[phase];
+  for (const Free& free : free_)
+    problem.RowOf(free.unknown).hold = free.holds[phase];
 }
 
 bool Motors::FreeOverloaded(Phase phase, const Step& step) {
@@ -168,7 +164,7 @@ bool Motors::FreeOverloaded(Phase phase, const Step& step) {
 
 void Motors::EndPhase(Phase phase, const Problem& problem) {
   for (const Free& free : free_) {
-    const Hold hold = problem.At(free.row).hold;
+    const Hold hold = problem.RowOf(free.unknown).hold;
     holds_[phase][static_cast<std::size_t>(free.link)] = hold;
   }
   if (phase != kRubbing) return;

@@ -36,7 +36,6 @@ class Motors {
   /// Makes unknowns of the joints that have to be: those whose servo gave all
   /// it has in the last step, those at a stop, those between links that touch.
   void Begin(const std::vector<Contact>& contacts, const Step& step);
-  void Append(std::vector<std::uint32_t>& rows) const;
   /// Holds as the last step left this phase.
   void BeginPhase(Phase phase, Problem& problem) const;
   /// Makes unknowns of the servos that would need more torque than they have;
@@ -59,13 +58,12 @@ class Motors {
   struct Free {
     int link = 0;
     int unknown = 0;
-    std::uint32_t row = 0;
     Hold holds[kPhases] = {};
   };
 
   void MakeFree(int link, Hold hold, const Step& step);
-  void SetStop(int link, double angle, const Free& free,
-               Problem& problem) const;
+  Row StopRow(double target, double angle) const;
+  double PushAtStop(double target, double angle) const;
   bool IsAtStop(double angle) const;
 
   const Model& model_;
