@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "tests/sim/bodies.h"
+#include "tests/sim/engines.h"
 #include "tests/sim/free_flight.h"
 
 namespace plsc {
@@ -43,9 +44,11 @@ void Drive(World& world, double time) {
 }
 
 TEST_CASE("Servos change no momentum of a robot in free flight", "[physics]") {
+  const EngineKind engine = test::EachEngine();
+  CAPTURE(engine);
   for (const Body& body : {Cross(), Crooked()}) {
     const Assembly assembly = Assemble(body);
-    World world(assembly, {}, test::FreeFlight());
+    World world(assembly, {}, test::FreeFlight(engine));
     const Vector3d start = world.MassCentre();
     double most_linear = 0, most_angular = 0, most_turns = 0;
     constexpr double kStep = 0.005;  // s
@@ -70,6 +73,8 @@ TEST_CASE("Servos change no momentum of a robot in free flight", "[physics]") {
 }
 
 TEST_CASE("A tumbling robot keeps its energy", "[physics]") {
+  const EngineKind engine = test::EachEngine();
+  CAPTURE(engine);
   struct Row {
     const char* why;
     double step;     // s
@@ -83,7 +88,7 @@ TEST_CASE("A tumbling robot keeps its energy", "[physics]") {
   for (const Row& row : rows) {
     INFO(row.why);
     const Assembly assembly = Assemble(Crooked());
-    SimulationOptions options = test::FreeFlight();
+    SimulationOptions options = test::FreeFlight(engine);
     options.physics.step = row.step;
     World world(assembly, {}, options);
     // One rigid whole, joints braked, that turns about no axis of its own as
