@@ -204,6 +204,7 @@ TEST_CASE("Big bodies are simulated as others are", "[simulate]") {
 }
 
 TEST_CASE("Robots of very many links are solved iteratively", "[simulate]") {
+  // By ODE; the articulated engine has one method for all.
   Body chain = LoneCore();
   int end = 0;
   for (int i = 1; i < 200; ++i)
