@@ -28,13 +28,13 @@ struct BoxContact {
   int key = 0;
 };
 
-/// Contacts of one pair. Four span the support of two faces but for slivers.
+/// Contacts of one pair.
 inline constexpr int kMostBoxContacts = 4;
 
 inline constexpr int kBoxContactKeys = 12 * 6 * 24 + 9 * 4 * 4;
 
 /// The number of contacts, the deepest first; 0 if the boxes are apart, or if a
-/// number in them is not finite. `gap`: if they are apart, metres that they are
+/// number in them is none (NaN). `gap`: if they are apart, metres that they are
 /// apart at least, and else at most 0.
 int CollideBoxes(const OrientedBox& a, const OrientedBox& b,
                  std::array<BoxContact, kMostBoxContacts>& contacts,
