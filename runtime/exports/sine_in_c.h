@@ -10,8 +10,8 @@ inline constexpr const char* kSineInC = R"(
 /* The sine of an x of at most 2^20 rad, as plsc has it: of r, after n quarter
  * turns, or the cosine; r with the rest that it has no bits for. */
 static inline double @_sine(double x) {
-  static const double quarter[] = {0x1.921fb544p+0, 0x1.0b4611a6p-34,
-                                   0x1.3198a2e037073p-69};
+  static const double quarter[] = {
+      0x1.921fb544p+0, 0x1.0b4611a6p-34, 0x1.3198a2ep-69, 0x1.b839a252049c1p-104};
   static const double s[] = {
       -0x1.5555555555555p-3, 0x1.1111111110bb2p-7, -0x1.a01a019e83aaep-13,
       0x1.71de37968a1p-19, -0x1.ae600b02b6262p-26, 0x1.5e0b19f8b1451p-33};
@@ -32,7 +32,7 @@ static inline double @_sine(double x) {
     second = -n * quarter[2];
     r = first + second;
     moved = r - first;
-    rest += (first - (r - moved)) + (second - moved);
+    rest += ((first - (r - moved)) + (second - moved)) - n * quarter[3];
   }
   z = r * r;
   if (n % 2 == 0) {
