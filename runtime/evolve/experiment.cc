@@ -240,12 +240,16 @@ GenotypeOptions ReadGenotype(YamlMap& map) {
   return options;
 }
 
+/// `profile`: of a scenario that names none. Where the scenario has a file of
+/// its own it is read with the profile of the one that stands in for it.
 void ReadScenarioOf(YamlMap& map, Experiment& experiment) {
+  const Profile profile = map.Choice("profile", Profile::kPaper, kProfileNames);
+  experiment.scenario = BothSeasons(profile);
   const auto value = map.Find("scenario");
   if (!value) return;
   if (value->is_map()) {
     YamlMap scenario = *value->Map("a scenario");
-    experiment.scenario = ReadScenario(scenario);
+    experiment.scenario = ReadScenario(scenario, profile);
   } else if (auto file = value->Text("a scenario or the name of its file")) {
     experiment.scenario_file = std::move(*file);
   }

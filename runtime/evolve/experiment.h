@@ -44,7 +44,8 @@ struct Experiment {
   Scenario scenario = PaperScenario();
   /// Where the scenario is when it has a file of its own, as written in the
   /// experiment; empty otherwise. Whoever read the experiment reads that file
-  /// too, puts it into `scenario` and calls CheckSenses.
+  /// too, with the profile of `scenario` if it names none, puts it there and
+  /// calls CheckSenses.
   std::string scenario_file;
 
   friend bool operator==(const Experiment&, const Experiment&) = default;

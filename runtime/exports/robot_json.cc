@@ -6,6 +6,7 @@
 #include "runtime/exports/exported_ground.h"
 #include "runtime/exports/robot_model.h"
 #include "runtime/recording/recording.h"
+#include "runtime/scenario/scenario_physics.h"
 #include "runtime/scenario/scenario_terrain.h"
 #include "sim/ground.h"
 
@@ -96,7 +97,7 @@ Json PhysicsValue(const PhysicsOptions& physics) {
                surface_layer, max_speed, max_spin, max_solver_failures] =
       physics;
   return {{"step", step},
-          {"engine", engine == EngineKind::kOde ? "ode" : "articulated"},
+          {"engine", NameIn(kEngineNames, engine)},
           {"solver", solver == Solver::kDirect ? "direct" : "iterative"},
           {"solver_iterations", solver_iterations},
           {"max_direct_links", max_direct_links},

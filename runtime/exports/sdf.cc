@@ -228,7 +228,8 @@ XmlElement Ground(const RobotModel& model) {
           {XmlText("static", "true"), std::move(link)}};
 }
 
-/// ODE's constants, where the engine is ODE.
+/// ODE's constants, where the engine is ODE. The articulated engine solves the
+/// equations of ODE's direct solver, which it is written as.
 XmlElement Physics(const PhysicsOptions& physics) {
   const char* solver = physics.solver == Solver::kDirect ? "world" : "quick";
   return {

@@ -41,11 +41,13 @@ namespace plsc {
 namespace {
 
 /// Everything written out that a season's simulation depends on: the scenario
-/// with this season alone. Its name changes nothing, nor what robots are told,
-/// which is in their phenotypes.
+/// with this season alone. Its name changes nothing, nor that of the profile,
+/// whose values are written out, nor what robots are told, which is in their
+/// phenotypes.
 std::string TextOf(const Scenario& scenario, const Season& season) {
   Scenario alone = scenario;
   alone.name.clear();
+  alone.profile = Profile::kPaper;
   alone.seasons = {season};
   alone.seasons[0].name = "season";
   alone.seasons[0].senses.clear();
@@ -141,8 +143,11 @@ std::vector<LifePiece> LifePlanner::PlanSeasons(const Genotype& genotype,
 // then, and so is what it feels there.
 std::vector<LifePiece> LifePlanner::PlanWhole(const Genotype& genotype,
                                               const Senses& inherited) const {
+  Scenario nameless = scenario_;
+  nameless.name.clear();
+  nameless.profile = Profile::kPaper;
   const std::string text =
-      PrintScenario(scenario_) + PossibleRobots(genotype, scenario_, inherited);
+      PrintScenario(nameless) + PossibleRobots(genotype, scenario_, inherited);
   LifePiece piece;
   for (std::size_t i = 0; i < scenario_.seasons.size(); ++i)
     piece.keys.push_back(KeyOf(text + std::to_string(i)));

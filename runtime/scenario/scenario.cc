@@ -72,6 +72,44 @@ std::vector<Diagnostic> CheckSenses(const Scenario& scenario,
   return errors.Take();
 }
 
+std::optional<Diagnostic> CheckEngines(const Scenario& scenario) {
+  for (const Season& season : scenario.seasons)
+    if (season.physics.engine == EngineKind::kArticulated &&
+        season.physics.solver == Solver::kIterative)
+      return Diagnostic(
+                 Code::kMisfit, {},
+                 fmt::format("season '{}' asks for 'solver: iterative', which "
+                             "the articulated engine has not",
+                             season.name))
+          .WithHelp(
+              "write 'solver: direct' (its method is exact, and as fast), or "
+              "'engine: ode'");
+  if (scenario.lives != Lives::kContinuous) return std::nullopt;
+  const auto other = std::find_if(
+      scenario.seasons.begin(), scenario.seasons.end(),
+      [&](const Season& season) {
+        return season.physics.engine != scenario.seasons[0].physics.engine;
+      });
+  if (other == scenario.seasons.end()) return std::nullopt;
+  return Diagnostic(Code::kMisfit, {},
+                    fmt::format("seasons '{}' and '{}' are one life (lives: "
+                                "continuous), but of two engines",
+                                scenario.seasons[0].name, other->name))
+      .WithHelp("give all seasons of a continuous life the same 'engine'");
+}
+
+std::optional<Diagnostic> SetEngine(Scenario& scenario, EngineKind engine) {
+  for (Season& season : scenario.seasons) season.physics.engine = engine;
+  return CheckEngines(scenario);
+}
+
+bool UsesOde(const Scenario& scenario) {
+  return std::any_of(scenario.seasons.begin(), scenario.seasons.end(),
+                     [](const Season& season) {
+                       return season.physics.engine == EngineKind::kOde;
+                     });
+}
+
 SimulationOptions OptionsFor(const Scenario& scenario, const Season& season) {
   SimulationOptions options;
   options.duration = season.duration;

@@ -24,9 +24,12 @@ namespace plsc {
 enum class Profile : std::uint8_t {
   kPaper,      ///< what the paper's text says
   kPublished,  ///< what the authors' program ran
+  kSwift,      ///< kPaper, with the articulated engine
 };
-inline constexpr EnumNames<Profile, 2> kProfileNames{
-    {{Profile::kPaper, "paper"}, {Profile::kPublished, "published"}}};
+inline constexpr EnumNames<Profile, 3> kProfileNames{
+    {{Profile::kPaper, "paper"},
+     {Profile::kPublished, "published"},
+     {Profile::kSwift, "swift"}}};
 
 enum class Lives : std::uint8_t {
   /// Each season is lived from a fresh start at the origin.
@@ -95,6 +98,17 @@ bool IsFelt(const Scenario& scenario, const Season& season, const State& state);
 /// The errors of Sense for all seasons, what robots feel taken as known.
 std::vector<Diagnostic> CheckSenses(const Scenario& scenario,
                                     const std::vector<State>& states);
+
+/// What keeps the seasons' engines from living them, for a message; or nothing.
+/// The articulated engine knows no iterative solver, and one life has one
+/// engine.
+std::optional<Diagnostic> CheckEngines(const Scenario& scenario);
+
+/// Gives all seasons the engine; what CheckEngines has to say of that.
+std::optional<Diagnostic> SetEngine(Scenario& scenario, EngineKind engine);
+
+/// Whether ODE lives any of the seasons.
+bool UsesOde(const Scenario& scenario);
 
 /// How a robot is simulated in a season of the scenario.
 SimulationOptions OptionsFor(const Scenario& scenario, const Season& season);

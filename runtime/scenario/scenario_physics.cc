@@ -79,7 +79,8 @@ consteval std::size_t FieldCount() {
 }
 
 // A field more must get its key here and in docs/experiments.md, or results
-// would depend on what no file says. `solver` and `refresh` are read by name.
+// would depend on what no file says. `engine`, `solver` and `refresh` are read
+// by name.
 static_assert(FieldCount<PhysicsOptions>() ==
               std::size(kPhysicsKeys) + std::size(kPhysicsIntKeys) + 2);
 static_assert(FieldCount<ServoOptions>() == std::size(kServoKeys) + 1);
@@ -91,6 +92,7 @@ using Printed = std::vector<std::pair<std::string, std::string>>;
 
 Printed PrintedKeys(const PhysicsOptions& physics) {
   Printed lines;
+  lines.emplace_back("engine", NameIn(kEngineNames, physics.engine));
   lines.emplace_back("solver", NameIn(kSolverNames, physics.solver));
   for (const IntKey& key : kPhysicsIntKeys)
     lines.emplace_back(key.name, std::to_string(physics.*key.field));
@@ -108,6 +110,8 @@ PhysicsPatch ReadPhysics(YamlMap map) {
   const auto note = [&](const char* name) {
     if (map.Find(name)) patch.given.insert(name);
   };
+  note("engine");
+  physics.engine = map.Choice("engine", physics.engine, kEngineNames);
   note("solver");
   physics.solver = map.Choice("solver", physics.solver, kSolverNames);
   for (const IntKey& key : kPhysicsIntKeys) {
@@ -124,6 +128,7 @@ PhysicsPatch ReadPhysics(YamlMap map) {
 }
 
 PhysicsOptions Patched(PhysicsOptions base, const PhysicsPatch& patch) {
+  if (patch.given.contains("engine")) base.engine = patch.values.engine;
   if (patch.given.contains("solver")) base.solver = patch.values.solver;
   for (const IntKey& key : kPhysicsIntKeys)
     if (patch.given.contains(key.name))

@@ -12,6 +12,8 @@
 
 namespace plsc {
 
+inline constexpr EnumNames<EngineKind, 2> kEngineNames{
+    {{EngineKind::kOde, "ode"}, {EngineKind::kArticulated, "articulated"}}};
 inline constexpr EnumNames<Refresh, 2> kRefreshNames{
     {{Refresh::kExact, "exact"}, {Refresh::kLate, "late"}}};
 inline constexpr EnumNames<ControllerMode, 2> kControllerNames{

@@ -14,12 +14,12 @@ Scenario ProfileScenario(Profile profile);
 /// A season of that ground, without senses.
 Season ProfileSeason(Profile profile, const Terrain& terrain);
 
-/// The paper's seasons: 50 s Flat, then 50 s Tilted by 5 degrees, `hot` False
-/// in both. `inclined` is sensed.
-Scenario PaperScenario();
+/// The paper's seasons under the profile: 50 s Flat, then 50 s Tilted by 5
+/// degrees, `hot` False in both. `inclined` is sensed; as the authors' program
+/// ran them it is given, by the name of the world (plasticoding.py:183).
+Scenario BothSeasons(Profile profile);
 
-/// The same seasons as the authors' program ran them; `inclined` is given, by
-/// the name of the world (plasticoding.py:183).
+Scenario PaperScenario();
 Scenario PublishedScenario();
 
 }  // namespace plsc

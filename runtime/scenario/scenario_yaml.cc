@@ -276,9 +276,9 @@ void ReadImu(YamlMap& map, ImuOptions& imu) {
 
 }  // namespace
 
-Scenario ReadScenario(YamlMap& map) {
+Scenario ReadScenario(YamlMap& map, Profile otherwise) {
   const std::size_t errors = map.place().error_count();
-  const Profile profile = map.Choice("profile", Profile::kPaper, kProfileNames);
+  const Profile profile = map.Choice("profile", otherwise, kProfileNames);
   Scenario scenario = ProfileScenario(profile);
   scenario.name = map.Text("name", "");
   scenario.lives = map.Choice("lives", scenario.lives, kLivesNames);
@@ -307,6 +307,10 @@ Scenario ReadScenario(YamlMap& map) {
     CheckSampling(map, scenario);
     CheckLengths(map, scenario);
     CheckSettling(map, scenario);
+    if (const auto problem = CheckEngines(scenario))
+      map.Find("physics")
+          .value_or(map.Find("seasons").value_or(map.place()))
+          .Report(problem->code, problem->message, problem->help);
   }
   return scenario;
 }
@@ -349,12 +353,12 @@ std::string PrintScenarioKeys(const Scenario& scenario, int indent) {
   return text;
 }
 
-Result<Scenario> ParseScenario(const Source& yaml) {
+Result<Scenario> ParseScenario(const Source& yaml, Profile otherwise) {
   const YamlFile file(yaml);
   Scenario scenario;
   if (std::optional<YamlMap> root = file.Root("a scenario")) {
     root->Int("plsc_scenario", kFormat, kFormat, kFormat);
-    scenario = ReadScenario(*root);
+    scenario = ReadScenario(*root, otherwise);
   }
   if (!file.diagnostics().empty()) return file.diagnostics();
   return scenario;

@@ -98,9 +98,14 @@ std::string ExplainChoice(const CLI::App& app, const std::string& message) {
   const std::size_t word = check + std::string_view(": Check ").size();
   for (const CLI::Option* option : Chosen(app).get_options()) {
     if (option->get_name() != name) continue;
-    const std::string type = option->get_type_name();  // "text|json:..."
-    return name + ": expected " + type.substr(0, type.find(':')) + ", found '" +
-           message.substr(word, value - word) + "'";
+    std::string type = option->get_type_name();  // "text|json:..."
+    type.resize(std::min(type.size(), type.find(':')));
+    const std::string found = message.substr(word, value - word);
+    std::istringstream words(type);
+    std::vector<std::string> known;
+    for (std::string one; std::getline(words, one, '|');) known.push_back(one);
+    return name + ": expected " + type + ", found '" + found + "'" +
+           DidYouMean(found, known);
   }
   return message;
 }

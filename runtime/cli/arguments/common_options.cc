@@ -41,6 +41,17 @@ void AddRobot(Options& options, std::string& individual) {
       .ValueName("ROBOT");
 }
 
+Option AddEngine(Options& options, std::optional<EngineKind>& engine,
+                 const char* help) {
+  return options.Choice(
+      "--engine", engine,
+      "what moves the robots in all seasons, as if each "
+      "said so (default: what the scenario says, else "
+      "ode)" +
+          std::string(help),
+      {{"ode", EngineKind::kOde}, {"articulated", EngineKind::kArticulated}});
+}
+
 void AddAllowRange(Options& options, bool& allow_range) {
   options.Flag("--allow-range", allow_range,
                "arguments outside their range are warnings, not errors");

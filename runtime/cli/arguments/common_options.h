@@ -7,6 +7,7 @@
 
 #include "runtime/cli/arguments/options.h"
 #include "runtime/cli/arguments/output_format.h"
+#include "sim/options.h"
 
 namespace plsc::cli {
 
@@ -26,6 +27,11 @@ void AddJobs(Options& options, std::optional<int>& jobs, const char* help);
 
 /// ROBOT, of a command that takes the store of a run, too.
 void AddRobot(Options& options, std::string& individual);
+
+/// --engine, of every command that simulates; `help` says what else is to be
+/// known of it there.
+Option AddEngine(Options& options, std::optional<EngineKind>& engine,
+                 const char* help = "");
 
 void AddAllowRange(Options& options, bool& allow_range);
 

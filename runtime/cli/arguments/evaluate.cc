@@ -17,6 +17,7 @@ void Add(Options& options, EvaluateCommand& command) {
            "YAML file with the seasons and the physics (default: the "
            "paper's, 50 s Flat then 50 s Tilted by 5 degrees)")
       .ValueName("FILE");
+  AddEngine(options, command.engine);
   AddJobs(options, command.jobs,
           "worker processes (0 and default: one a core that may be "
           "used); changes no answer");

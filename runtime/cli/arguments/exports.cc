@@ -90,6 +90,7 @@ void AddRobotOptions(Options& options, ExportCommand& command, Option to) {
            "ground and the paper's constants)")
       .ValueName("FILE")
       .Needs(to);
+  AddEngine(options, command.engine, "; with --to").Needs(to);
   options
       .Flag("--alone", command.alone,
             "with --to mjcf or sdf: the robot without ground, light and "

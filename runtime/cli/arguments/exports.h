@@ -8,6 +8,7 @@
 
 #include "runtime/cli/files/io.h"
 #include "runtime/exports/export_format.h"
+#include "sim/options.h"
 
 namespace plsc::cli {
 
@@ -21,6 +22,7 @@ struct ExportCommand {
   std::string individual;                 ///< of `to`; as RobotAsked's
   std::vector<std::string> environments;  ///< of `to`; as DevelopCommand's
   std::string scenario;                   ///< of `to`, as RobotAsked's
+  std::optional<EngineKind> engine;       ///< of `to`, as SimulateCommand's
   bool alone = false;                     ///< of `to`: without floor
   std::string prefix;                     ///< of `to`: before names of parts
   bool allow_range = false;               ///< of `to`

@@ -10,6 +10,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -78,22 +79,39 @@ class Options {
 
   /// One of some words, in the order in which help has them.
   template <typename Enum>
-  Option Choice(const char* names, Enum& value, const std::string& help,
+  requires std::is_enum_v<Enum> Option
+  Choice(const char* names, Enum& value, const std::string& help,
+         std::initializer_list<std::pair<const char*, Enum>> words) {
+    return AddChoice<Enum>(
+        names, [&value](int number) { value = static_cast<Enum>(number); },
+        help, words);
+  }
+
+  /// Likewise, of a value that stays nothing where nothing is typed.
+  template <typename Enum>
+  Option Choice(const char* names, std::optional<Enum>& value,
+                const std::string& help,
                 std::initializer_list<std::pair<const char*, Enum>> words) {
+    return AddChoice<Enum>(
+        names, [&value](int number) { value = static_cast<Enum>(number); },
+        help, words);
+  }
+
+  const CLI::App& app() const { return *app_; }
+
+ private:
+  template <typename Enum>
+  Option AddChoice(const char* names, std::function<void(int)> take,
+                   const std::string& help,
+                   std::initializer_list<std::pair<const char*, Enum>> words) {
     std::string value_name;
     std::map<std::string, int> numbers;
     for (const auto& [word, meant] : words) {
       value_name += (value_name.empty() ? "" : "|") + std::string(word);
       numbers.emplace(word, static_cast<int>(meant));
     }
-    return AddChoice(
-        names, [&value](int number) { value = static_cast<Enum>(number); },
-        help, numbers, value_name);
+    return AddChoice(names, std::move(take), help, numbers, value_name);
   }
-
-  const CLI::App& app() const { return *app_; }
-
- private:
   Option AddChoice(const char* names, std::function<void(int)> take,
                    const std::string& help,
                    const std::map<std::string, int>& words,

@@ -145,6 +145,7 @@ void Add(Options& options, SimulateCommand& command) {
            "run's; of a file the paper's, 50 s Flat then 50 s Tilted by "
            "5 degrees)")
       .ValueName("FILE");
+  AddEngine(options, command.engine);
   AddFormat(options, command.format, "one season a line, with all descriptors");
   options.Flag("--descriptors", command.descriptors,
                "also list every descriptor, a column a season (json always "
@@ -177,6 +178,7 @@ void Add(Options& options, SimulateCommand& command) {
       "  plsc simulate examples/gecko.pls\n"
       "  plsc simulate examples/gecko.pls --descriptors\n"
       "  plsc simulate robot.pls --scenario hot.yaml --format json\n"
+      "  plsc simulate robot.pls --engine articulated\n"
       "  plsc simulate robot.pls --record robot.rec.json --svg robot.svg\n"
       "  plsc simulate run1.sqlite best --descriptors");
 }

@@ -9,6 +9,7 @@
 
 #include "runtime/cli/arguments/output_format.h"
 #include "runtime/cli/files/io.h"
+#include "sim/options.h"
 
 namespace plsc::cli {
 
@@ -52,9 +53,10 @@ void Add(Options& options, RegulateCommand& command);
 Exit Run(const RegulateCommand& command, Io& io);
 
 struct SimulateCommand {
-  std::string file;        ///< a genotype file, or the store of a run
-  std::string individual;  ///< of a run: an id or "best"; else empty
-  std::string scenario;    ///< empty: the run's, or the paper's
+  std::string file;                  ///< a genotype file, or the store of a run
+  std::string individual;            ///< of a run: an id or "best"; else empty
+  std::string scenario;              ///< empty: the run's, or the paper's
+  std::optional<EngineKind> engine;  ///< of all seasons; nothing: as written
   OutputFormat format = OutputFormat::kText;
   std::string trajectory_folder;  ///< empty: none
   bool descriptors = false;       ///< all of them, text format only

@@ -59,6 +59,7 @@ void Add(Options& options, EvolveCommand& command) {
   options.Add("--seed", command.seed, "instead of the experiment's seed")
       .NotNegative()
       .ValueName("N");
+  AddEngine(options, command.engine);
   AddResuming(options, command);
   AddWorkers(options, command);
   options.Flag("--quiet", command.quiet, "no progress line");

@@ -9,6 +9,7 @@
 
 #include "runtime/cli/arguments/output_format.h"
 #include "runtime/cli/files/io.h"
+#include "sim/options.h"
 
 namespace plsc::cli {
 
@@ -22,6 +23,7 @@ struct EvolveCommand {
   std::string salvage;     ///< a damaged store to look simulations up in
   bool allow_other_version = false;
   std::optional<std::uint64_t> seed;
+  std::optional<EngineKind> engine;  ///< of all seasons; nothing: as written
   std::optional<int> jobs;
   std::optional<double> hang_limit;  ///< s
   std::string cache;                 ///< a file; empty: none

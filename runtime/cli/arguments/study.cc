@@ -61,6 +61,8 @@ void Add(Options& options, StudyRunCommand& command) {
       .ValueName("FOLDER")
       .Required();
   AddSlice(options, command.only, command.shard);
+  AddEngine(options, command.engine,
+            "; a folder is of one engine, and of no other study");
   AddJobs(options, command.jobs,
           "worker processes of a run (0 and default: one a core that "
           "may be used); changes no result");

@@ -7,6 +7,7 @@
 
 #include "runtime/cli/arguments/output_format.h"
 #include "runtime/cli/files/io.h"
+#include "sim/options.h"
 
 namespace plsc::cli {
 
@@ -23,11 +24,12 @@ Exit Run(const StudyListCommand& command, Io& io);
 
 struct StudyRunCommand {
   std::string study;
-  std::string output;       ///< the study's folder
-  std::string only;         ///< "plastic" or "plastic/3"; empty: all
-  std::string shard;        ///< "2/8", well formed; empty: all
-  std::optional<int> jobs;  ///< of every run
-  std::string cache;        ///< a file; empty: none
+  std::string output;                ///< the study's folder
+  std::string only;                  ///< "plastic" or "plastic/3"; empty: all
+  std::string shard;                 ///< "2/8", well formed; empty: all
+  std::optional<EngineKind> engine;  ///< of all seasons; nothing: as written
+  std::optional<int> jobs;           ///< of every run
+  std::string cache;                 ///< a file; empty: none
   bool allow_other_version = false;
   bool quiet = false;
 };

@@ -23,6 +23,9 @@ void Add(Options& options, ViewCommand& command) {
                "YAML file with the seasons and the physics for genotypes "
                "(default: the paper's, 50 s Flat then 50 s Tilted)")
           .ValueName("FILE");
+  const Option engine =
+      AddEngine(options, command.engine,
+                "; recordings show what was lived, whatever it was");
   const Option explain = options
                              .Flag("--explain", command.explain,
                                    "instead of a replay, the page of how "
@@ -30,7 +33,8 @@ void Add(Options& options, ViewCommand& command) {
                                    "are active, each rewriting, what each "
                                    "symbol did; of genotypes and "
                                    "runs")
-                             .Excludes(scenario);
+                             .Excludes(scenario)
+                             .Excludes(engine);
   options
       .Add("--env", command.environments,
            "with --explain: what the robot senses, STATE=VALUE,... or "

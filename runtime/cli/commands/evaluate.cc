@@ -190,8 +190,9 @@ class LinesEvaluation {
 }  // namespace
 
 Exit Run(const EvaluateCommand& command, Io& io) {
-  const auto scenario = LoadScenario(command.scenario, io);
-  if (!scenario) return Exit::kBadInput;
+  auto scenario = LoadScenario(command.scenario, io);
+  if (!scenario || !UseEngine(command.engine, *scenario, io))
+    return Exit::kBadInput;
   const InterruptHandler handler;
   return LinesEvaluation(command, *scenario, io).Run();
 }

@@ -72,7 +72,9 @@ std::optional<RunRequest> RequestOf(const EvolveCommand& command, Io& io) {
     request.path = command.output;
   } else if (command.resume.empty()) {
     request.experiment = LoadExperiment(command.experiment, io);
-    if (!request.experiment) return std::nullopt;
+    if (!request.experiment ||
+        !UseEngine(command.engine, request.experiment->scenario, io))
+      return std::nullopt;
     if (command.seed) request.experiment->seed = *command.seed;
     request.path = command.output;
     request.may_resume = command.or_resume;
@@ -93,13 +95,14 @@ std::optional<RunRequest> RequestOf(const EvolveCommand& command, Io& io) {
 std::optional<std::string> WrongUsage(const EvolveCommand& command) {
   const bool is_new = !command.experiment.empty() || !command.output.empty() ||
                       !command.salvage.empty();
-  if (!command.resume.empty() && (is_new || command.seed))
+  if (!command.resume.empty() && (is_new || command.seed || command.engine))
     return "--resume RUN goes on with what the run is of; it takes neither an "
-           "experiment nor --output nor --seed";
+           "experiment nor --output nor --seed nor --engine";
   if (!command.resume.empty()) return std::nullopt;
-  if (!command.salvage.empty() && (command.or_resume || command.seed))
+  if (!command.salvage.empty() &&
+      (command.or_resume || command.seed || command.engine))
     return "--salvage RUN makes that run again; it takes neither --or-resume "
-           "nor --seed";
+           "nor --seed nor --engine";
   if (command.experiment.empty() && command.salvage.empty())
     return "expected EXPERIMENT, a YAML file, or --resume RUN";
   if (command.output.empty()) return "expected --output RUN, a file to make";
@@ -123,6 +126,8 @@ Exit Run(const EvolveCommand& command, Io& io) {
   std::optional<RunRequest> request = RequestOf(command, io);
   if (!request) return Exit::kBadInput;
   if (MpiSession::IsUnderMpi()) request->mpi = &session;
+  if (request->experiment && !command.quiet && !command.engine)
+    MentionSwift(request->experiment->scenario, io);
   const RunOutcome outcome = ExecuteRun(*request, io);
   if (outcome.exit == Exit::kBadInput && outcome.result.generations == 0)
     return outcome.exit;

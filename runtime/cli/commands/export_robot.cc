@@ -77,7 +77,11 @@ std::optional<std::vector<RobotModel>> GrowModels(const ExportCommand& command,
                                                   const RobotFound& robot,
                                                   Io& io) {
   const Genotype& genotype = robot.loaded.mapped.program.genotype;
-  const std::vector<RobotSetting> settings = SettingsOf(robot, io);
+  std::vector<RobotSetting> settings = SettingsOf(robot, io);
+  // Also of a robot that no scenario gives one.
+  for (RobotSetting& setting : settings)
+    setting.options.physics.engine =
+        command.engine.value_or(setting.options.physics.engine);
   std::vector<RobotModel> models;
   for (std::size_t i = 0; i < settings.size(); ++i) {
     const NamedEnvironment& named = robot.environments[i];
@@ -206,7 +210,7 @@ Exit ExportRobots(const ExportCommand& command, Io& io) {
   }
   const auto found =
       FindRobot({command.file, command.individual, command.environments,
-                 command.allow_range, command.scenario},
+                 command.allow_range, command.scenario, command.engine},
                 io);
   if (!found) return found.error();
   const auto models = GrowModels(command, *found, io);

@@ -53,6 +53,14 @@ void PrintRow(const SeasonResult& result, std::ostream& out) {
                        Escaped(result.reason));
 }
 
+/// What a life was lived by; nothing of ODE, which is the usual.
+std::string EngineText(const Scenario& scenario) {
+  if (!UsesOde(scenario)) return ", engine articulated";
+  Scenario ode = scenario;
+  SetEngine(ode, EngineKind::kOde);
+  return ode == scenario ? "" : ", both engines";
+}
+
 // When and why the robot is what it is.
 void PrintChange(const SeasonResult& result, const Scenario& scenario,
                  std::ostream& out) {
@@ -219,17 +227,18 @@ Record LiveAll(const SimulateCommand& command, const ToLive& one, Io& io) {
 }  // namespace
 
 Exit Run(const SimulateCommand& command, Io& io) {
-  const auto found = Find(command, io);
+  auto found = Find(command, io);
   if (!found) return found.error();
+  if (!UseEngine(command.engine, found->scenario, io)) return Exit::kBadInput;
   const auto& [genotype, scenario, inherited] = *found;
   if (!CanLive(scenario, genotype, io) || !CanWriteAll(command, scenario, io))
     return Exit::kBadInput;
 
   if (command.format == OutputFormat::kText) {
     io.out << fmt::format(
-        "{} in scenario {} (profile {})\n", genotype.name,
+        "{} in scenario {} (profile {}{})\n", genotype.name,
         scenario.name.empty() ? "of no name" : Escaped(scenario.name),
-        NameIn(kProfileNames, scenario.profile));
+        NameIn(kProfileNames, scenario.profile), EngineText(scenario));
     PrintHeader(io.out);
   }
   // Samples mean nothing without the constants that they were made with.

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <ostream>
 
@@ -9,6 +10,7 @@
 #include "runtime/cli/files/open_run.h"
 #include "runtime/cli/running/interrupt.h"
 #include "runtime/cli/running/run_experiment.h"
+#include "runtime/scenario/scenario_physics.h"
 #include "runtime/store/shared_cache.h"
 #include "runtime/study/run_study.h"
 #include "runtime/study/slice.h"
@@ -18,6 +20,28 @@
 namespace plsc::cli {
 
 namespace {
+
+/// With the engine that was asked for; what is wrong is printed.
+std::optional<Study> LoadForRunning(const StudyRunCommand& command, Io& io) {
+  std::optional<Study> study = LoadStudy(command.study, io);
+  if (!study) return std::nullopt;
+  for (StudyExperiment& one : study->experiments)
+    if (!UseEngine(command.engine, one.experiment.scenario, io))
+      return std::nullopt;
+  return study;
+}
+
+/// Once for all of the study.
+void MentionSwift(const StudyRunCommand& command, const Study& study, Io& io) {
+  if (command.quiet || command.engine) return;
+  const auto with_ode =
+      std::find_if(study.experiments.begin(), study.experiments.end(),
+                   [](const StudyExperiment& one) {
+                     return UsesOde(one.experiment.scenario);
+                   });
+  if (with_ode != study.experiments.end())
+    MentionSwift(with_ode->experiment.scenario, io);
+}
 
 /// The runs that `--only` and `--shard` choose; what is wrong is printed.
 std::optional<std::vector<StudyRun>> ChosenRuns(const Study& study,
@@ -99,6 +123,8 @@ std::string CommandText(const StudyRunCommand& command) {
   if (!command.shard.empty()) text += " --shard " + command.shard;
   if (command.jobs) text += fmt::format(" --jobs {}", *command.jobs);
   if (!command.cache.empty()) text += " --cache " + command.cache;
+  if (command.engine)
+    text += fmt::format(" --engine {}", NameIn(kEngineNames, *command.engine));
   return text;
 }
 
@@ -156,12 +182,13 @@ Exit Run(const StudyListCommand& command, Io& io) {
 }
 
 Exit Run(const StudyRunCommand& command, Io& io) {
-  const std::optional<Study> study = LoadStudy(command.study, io);
+  const std::optional<Study> study = LoadForRunning(command, io);
   if (!study) return Exit::kBadInput;
   const auto runs = ChosenRuns(*study, command.only, command.shard, io);
   if (!runs) return Exit::kBadInput;
   if (const auto failure = Prepare(command, *study))
     return Complain(*failure, io);
+  MentionSwift(command, *study, io);
   const InterruptHandler handler;
   StudyOptions options;
   options.execute = [&](const RunTask& task) {

@@ -31,7 +31,7 @@ struct LifeToView {
   Genotype genotype;
   Scenario scenario;
   Senses inherited;
-  std::string run;  ///< the store; empty if the robot is of none
+  std::string run;  ///< whose life it is again; empty: of none
   Versions versions;
   std::vector<SeasonResult> stored;
 };
@@ -89,7 +89,9 @@ std::optional<Viewed> LoadGenotype(const std::string& path,
       FileName(path), program->genotype, scenario, {}, "", {}, {}};
 }
 
-bool LoadRobots(const ViewInput& input, std::vector<Viewed>& viewed, Io& io) {
+/// `engine`: as ViewCommand's.
+bool LoadRobots(const ViewInput& input, std::optional<EngineKind> engine,
+                std::vector<Viewed>& viewed, Io& io) {
   RunStore store;
   if (const auto failure = store.OpenForReading(input.path)) {
     Complain(*failure, io);
@@ -100,6 +102,11 @@ bool LoadRobots(const ViewInput& input, std::vector<Viewed>& viewed, Io& io) {
     Complain(ids.error(), io);
     return false;
   }
+  Scenario scenario = store.experiment().scenario;
+  const Scenario as_stored = scenario;
+  if (!UseEngine(engine, scenario, io)) return false;
+  // A life of another engine is not the one of the run.
+  const bool is_replay = scenario == as_stored;
   for (const int id : *ids) {
     Expected<Individual, Failure> one = store.Find(id);
     if (!one) {
@@ -109,17 +116,19 @@ bool LoadRobots(const ViewInput& input, std::vector<Viewed>& viewed, Io& io) {
     const std::string source =
         fmt::format("{}, robot {}", FileName(input.path), id);
     // Nobody who was bred for another scenario is in a store.
-    viewed.emplace_back(LifeToView{
-        source, std::move(one->genotype), store.experiment().scenario,
-        std::move(one->heritage.senses), input.path, store.versions(),
-        std::move(one->evaluation.seasons)});
+    viewed.emplace_back(
+        LifeToView{source, std::move(one->genotype), scenario,
+                   std::move(one->heritage.senses), is_replay ? input.path : "",
+                   store.versions(), std::move(one->evaluation.seasons)});
   }
   return true;
 }
 
 bool LoadInput(const ViewInput& input, const Scenario& scenario,
-               std::vector<Viewed>& viewed, Io& io) {
-  if (input.kind == ViewInputKind::kRun) return LoadRobots(input, viewed, io);
+               std::optional<EngineKind> engine, std::vector<Viewed>& viewed,
+               Io& io) {
+  if (input.kind == ViewInputKind::kRun)
+    return LoadRobots(input, engine, viewed, io);
   auto one = input.kind == ViewInputKind::kRecording
                  ? LoadRecording(input.path, io)
                  : LoadGenotype(input.path, scenario, io);
@@ -177,12 +186,13 @@ std::vector<ViewInput> SortInputs(const std::vector<std::string>& inputs) {
 
 std::optional<std::vector<ViewedLife>> LoadLives(const ViewCommand& command,
                                                  Io& io) {
-  const auto scenario = LoadScenario(command.scenario, io);
-  if (!scenario) return std::nullopt;
+  auto scenario = LoadScenario(command.scenario, io);
+  if (!scenario || !UseEngine(command.engine, *scenario, io))
+    return std::nullopt;
   std::vector<Viewed> viewed;
   bool is_fine = true;
   for (const ViewInput& input : SortInputs(command.inputs))
-    is_fine &= LoadInput(input, *scenario, viewed, io);
+    is_fine &= LoadInput(input, *scenario, command.engine, viewed, io);
   if (!is_fine) return std::nullopt;
   std::vector<ViewedLife> lives;
   for (Viewed& one : viewed) {

@@ -1,9 +1,14 @@
 #include "runtime/cli/files/load_yaml.h"
 
+#include <fmt/format.h>
+
 #include <filesystem>
 #include <ostream>
 #include <utility>
 
+#include "grammar/shown_line.h"
+#include "runtime/scenario/scenario_physics.h"
+#include "runtime/scenario/scenario_profile.h"
 #include "runtime/scenario/scenario_yaml.h"
 
 namespace plsc::cli {
@@ -48,7 +53,8 @@ bool CompleteScenario(Experiment& experiment, const Source& source,
     findings.push_back({source, {std::move(problem)}});
     return false;
   }
-  auto scenario = ReadScenarioText(*text, findings);
+  auto scenario =
+      ReadScenarioText(*text, findings, experiment.scenario.profile);
   if (!scenario) return false;
   experiment.scenario = std::move(*scenario);
   std::vector<Diagnostic> problems = CheckSenses(experiment);
@@ -61,8 +67,8 @@ bool CompleteScenario(Experiment& experiment, const Source& source,
 }  // namespace
 
 std::optional<Scenario> ReadScenarioText(const Source& source,
-                                         Findings& findings) {
-  return Noted(ParseScenario(source), source, findings);
+                                         Findings& findings, Profile profile) {
+  return Noted(ParseScenario(source, profile), source, findings);
 }
 
 std::optional<Experiment> ReadExperimentText(const Source& source,
@@ -93,6 +99,24 @@ std::optional<Scenario> LoadScenario(const std::string& path, Io& io) {
   auto scenario = ReadScenarioText(*source, findings);
   Report(findings, io);
   return scenario;
+}
+
+bool UseEngine(std::optional<EngineKind> engine, Scenario& scenario, Io& io) {
+  if (!engine) return true;
+  const auto problem = SetEngine(scenario, *engine);
+  if (problem)
+    io.err << fmt::format("error: --engine {}: {}\n   = help: {}\n",
+                          NameIn(kEngineNames, *engine),
+                          Escaped(problem->message), problem->help);
+  return !problem;
+}
+
+void MentionSwift(const Scenario& scenario, Io& io) {
+  Scenario swift = scenario;
+  if (!UsesOde(scenario) || SetEngine(swift, EngineKind::kArticulated)) return;
+  io.err << "note: robots live in ODE; with 'profile: swift' (or --engine "
+            "articulated) they live by the same physics in a tenth of the "
+            "time (docs/simulation.md)\n";
 }
 
 std::optional<Experiment> LoadExperiment(const std::string& path, Io& io) {

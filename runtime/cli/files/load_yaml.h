@@ -25,13 +25,21 @@ std::optional<Experiment> LoadExperiment(const std::string& path, Io& io);
 /// Likewise, with the scenario of every experiment; none names a file then.
 std::optional<Study> LoadStudy(const std::string& path, Io& io);
 
+/// The engine that was asked for, if any, in place of what the seasons say.
+/// Prints what keeps it from living them, as in an error of the file.
+bool UseEngine(std::optional<EngineKind> engine, Scenario& scenario, Io& io);
+
+/// Says that the seasons could be lived faster, if they could.
+void MentionSwift(const Scenario& scenario, Io& io);
+
 /// What is wrong with a file, and with those that it names.
 using Findings = std::vector<CheckedFile>;
 
 /// The same of texts that are read already, for who prints what is found in
-/// another way.
+/// another way. `profile`: of a scenario that names none.
 std::optional<Scenario> ReadScenarioText(const Source& source,
-                                         Findings& findings);
+                                         Findings& findings,
+                                         Profile profile = Profile::kPaper);
 std::optional<Experiment> ReadExperimentText(const Source& source,
                                              Findings& findings, Io& io);
 std::optional<Study> ReadStudyText(const Source& source, Findings& findings,

@@ -70,10 +70,11 @@ Expected<RobotFound, Exit> FindInFile(const RobotAsked& asked, Io& io) {
 }
 
 /// The scenario's seasons for what the file declares or the run has stored.
-bool PutInto(const std::string& scenario_file, RobotFound& robot, Io& io) {
+bool PutInto(const RobotAsked& asked, RobotFound& robot, Io& io) {
   Program& program = robot.loaded.mapped.program;
-  robot.scenario = LoadScenario(scenario_file, io);
-  if (!robot.scenario || !CanLive(*robot.scenario, program.genotype, io))
+  robot.scenario = LoadScenario(asked.scenario, io);
+  if (!robot.scenario || !UseEngine(asked.engine, *robot.scenario, io) ||
+      !CanLive(*robot.scenario, program.genotype, io))
     return false;
   program.environments = SeasonEnvironments(program.genotype, *robot.scenario);
   return true;
@@ -107,8 +108,11 @@ Expected<RobotFound, Exit> FindRobot(const RobotAsked& asked, Io& io) {
       asked.individual.empty() ? FindInFile(asked, io) : FindInRun(asked, io);
   if (!found) return found;
   RobotFound& robot = *found;
-  if (!asked.scenario.empty() && !PutInto(asked.scenario, robot, io))
-    return Exit::kBadInput;
+  const bool is_fine =
+      asked.scenario.empty()
+          ? !robot.scenario || UseEngine(asked.engine, *robot.scenario, io)
+          : PutInto(asked, robot, io);
+  if (!is_fine) return Exit::kBadInput;
   auto environments =
       ChooseEnvironments(robot.loaded.mapped.program, asked.environments, io);
   if (!environments) return Exit::kBadUsage;

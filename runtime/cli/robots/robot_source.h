@@ -24,6 +24,7 @@ struct RobotAsked {
   /// A file, whose seasons are the environments; empty: the run's scenario, or
   /// none.
   std::string scenario = {};
+  std::optional<EngineKind> engine = {};  ///< of the scenario's seasons
 };
 
 struct RobotFound {

@@ -103,6 +103,35 @@ TEST_CASE("A scenario of its own file is left to the caller", "[experiment]") {
   CHECK(errors[0].message.find("'unheard_of'") != std::string::npos);
 }
 
+TEST_CASE("A profile at the top holds for a scenario that names none",
+          "[experiment]") {
+  const auto scenario = [](const std::string& text) {
+    const auto read = ParseExperiment(Source("e", text));
+    REQUIRE(read);
+    // What is printed needs no profile at its top.
+    CHECK(*ParseExperiment(Source("p", PrintExperiment(*read))) == *read);
+    return read->scenario;
+  };
+  const std::string top = "profile: swift\n";
+  CHECK(scenario(top) == BothSeasons(Profile::kSwift));
+  const Scenario without = scenario(top + "scenario: {seasons: [{}]}\n");
+  CHECK(without.profile == Profile::kSwift);
+  CHECK_FALSE(UsesOde(without));
+  const Scenario own =
+      scenario(top + "scenario: {profile: paper, seasons: [{}]}\n");
+  CHECK(own.profile == Profile::kPaper);
+  CHECK(UsesOde(own));
+  const Scenario written =
+      scenario(top + "scenario: {physics: {engine: ode}, seasons: [{}]}\n");
+  CHECK(written.profile == Profile::kSwift);
+  CHECK(UsesOde(written));
+  CHECK(Errors("profile: swfit\n").find("did you mean 'swift'?") !=
+        std::string::npos);
+  // Whoever reads the file knows by which profile.
+  CHECK(ParseExperiment(Source("e", top + "scenario: s.yaml\n"))
+            ->scenario.profile == Profile::kSwift);
+}
+
 TEST_CASE("The largest population is one of the paper's genotypes",
           "[experiment]") {
   CHECK(Errors("population: 100000\noffspring: 100000\n").empty());

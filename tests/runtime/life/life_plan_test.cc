@@ -190,4 +190,23 @@ TEST_CASE("A death is told with what is known without simulating",
   }
 }
 
+TEST_CASE("Keys hold what a profile gives and not its name", "[life_plan]") {
+  const Genotype genotype = test::Robot(kPlastic);
+  for (const Lives lives : {Lives::kIndependent, Lives::kContinuous}) {
+    const auto keys = [&](Scenario scenario) {
+      scenario.lives = lives;
+      std::set<Key> all;
+      for (const LifePiece& piece : LifePlanner(scenario).Plan(genotype, {}))
+        all.insert(piece.keys.begin(), piece.keys.end());
+      return all;
+    };
+    Scenario paper = Short(lives);
+    Scenario swift = BothSeasons(Profile::kSwift);
+    for (Season& season : swift.seasons) season.duration = 1;
+    CHECK(keys(paper) != keys(swift));
+    SetEngine(paper, EngineKind::kArticulated);
+    CHECK(keys(paper) == keys(swift));
+  }
+}
+
 }  // namespace plsc

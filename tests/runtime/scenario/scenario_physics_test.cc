@@ -26,10 +26,20 @@ TEST_CASE("A patch changes what it gives, be it the default",
   base.max_solver_failures = 0.7;
   const PhysicsOptions patched =
       Patched(base, Patch("step: 5 ms\nsolver: iterative\n"));
+  CHECK(patched.engine == EngineKind::kOde);
   CHECK(patched.step == 0.005);
   CHECK(patched.solver == Solver::kIterative);
   CHECK(patched.friction == 0.5);
   CHECK(patched.max_solver_failures == 0.7);
+}
+
+TEST_CASE("The engine is a constant like every other", "[scenario_physics]") {
+  PhysicsOptions swift;
+  swift.engine = EngineKind::kArticulated;
+  CHECK(PrintPhysicsChanges(swift, {}) == "{engine: articulated}");
+  CHECK(Patched({}, Patch("engine: articulated")) == swift);
+  CHECK(Patched(swift, Patch("engine: ode")) == PhysicsOptions{});
+  CHECK(Patched(swift, Patch("step: 5 ms")) == swift);
 }
 
 TEST_CASE("Changes are printed shortly and read back", "[scenario_physics]") {
@@ -46,7 +56,7 @@ TEST_CASE("Every constant is printed, once", "[scenario_physics]") {
   std::set<std::string> keys;
   for (std::string line; std::getline(text, line);)
     CHECK(keys.insert(line.substr(0, line.find(':'))).second);
-  CHECK(keys.size() == 19);  // 18 numbers and the solver
+  CHECK(keys.size() == 20);  // 18 numbers, the engine and the solver
   CHECK(PrintServo({}, "").find("refresh: exact\n") != std::string::npos);
 }
 

@@ -53,4 +53,18 @@ TEST_CASE("The published profile is what the authors' program ran",
   CHECK(servo == PaperScenario().servo);
 }
 
+TEST_CASE("The swift profile is the paper's with the articulated engine",
+          "[profile]") {
+  Scenario swift = BothSeasons(Profile::kSwift);
+  CHECK(swift.name == "swift");
+  CHECK(swift.profile == Profile::kSwift);
+  CHECK_FALSE(UsesOde(swift));
+  CHECK_FALSE(CheckEngines(swift));
+  CHECK_FALSE(SetEngine(swift, EngineKind::kOde));
+  CHECK(UsesOde(swift));
+  swift.name = "paper";
+  swift.profile = Profile::kPaper;
+  CHECK(swift == PaperScenario());
+}
+
 }  // namespace plsc

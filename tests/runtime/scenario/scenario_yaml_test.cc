@@ -17,7 +17,8 @@ std::string Errors(const std::string& text) {
   return scenario ? "" : Render(scenario.diagnostics(), source, 0);
 }
 
-/// Every field differs from its default.
+/// Every field differs from its default, but the engine, which an iterative
+/// solver decides.
 Scenario Unusual() {
   Scenario scenario = PaperScenario();
   scenario.name = "two words: and a colon";
@@ -36,15 +37,25 @@ Scenario Unusual() {
   scenario.seasons[1].start_height = 0.2;
   scenario.seasons[0].duration = 1.0 / 3;
   PhysicsOptions& physics = scenario.seasons[0].physics;
-  physics = {0.003,   Solver::kIterative,
-             17,      8,
-             9.81,    0.2,
-             2e-5,    0.9,
-             0.02,    8e4,
-             1e6 / 7, 3e6,
-             8e4,     2e-4,
-             50,      1e-6,
-             30,      300,
+  physics = {0.003,
+             EngineKind::kOde,
+             Solver::kIterative,
+             17,
+             8,
+             9.81,
+             0.2,
+             2e-5,
+             0.9,
+             0.02,
+             8e4,
+             1e6 / 7,
+             3e6,
+             8e4,
+             2e-4,
+             50,
+             1e-6,
+             30,
+             300,
              0.2};
   scenario.seasons[1].physics = physics;
   scenario.seasons[1].physics.friction = 0.4;
@@ -55,8 +66,8 @@ Scenario Unusual() {
 }  // namespace
 
 TEST_CASE("A printed scenario reads back equal", "[scenario]") {
-  for (const Scenario& scenario :
-       {PaperScenario(), PublishedScenario(), Unusual()}) {
+  for (const Scenario& scenario : {PaperScenario(), PublishedScenario(),
+                                   BothSeasons(Profile::kSwift), Unusual()}) {
     const std::string text = PrintScenario(scenario);
     INFO(text);
     INFO(Errors(text));
@@ -107,6 +118,65 @@ TEST_CASE("Keys go before the profile, those of a season before all",
   CHECK(read->seasons[1].physics.step == 0.001);
   CHECK(read->seasons[1].physics.friction == 0.5);
   CHECK_FALSE(read->seasons[1].start_height);
+}
+
+TEST_CASE("A text without an engine means ODE, unless its profile says else",
+          "[scenario]") {
+  const std::string season = "seasons: [{physics: {step: 4 ms}}]\n";
+  const auto engine = [](const std::string& text, Profile otherwise) {
+    const auto read = ParseScenario(Source("s", text), otherwise);
+    REQUIRE(read);
+    return read->seasons[0].physics.engine;
+  };
+  using enum EngineKind;
+  CHECK(engine(season, Profile::kPaper) == kOde);
+  CHECK(engine(season, Profile::kSwift) == kArticulated);
+  CHECK(engine("profile: swift\n" + season, Profile::kPaper) == kArticulated);
+  CHECK(engine("profile: paper\n" + season, Profile::kSwift) == kOde);
+  CHECK(engine("physics: {engine: ode}\n" + season, Profile::kSwift) == kOde);
+  CHECK(engine("profile: swift\nseasons: [{physics: {engine: ode}}]\n",
+               Profile::kPaper) == kOde);
+}
+
+TEST_CASE("Engines that cannot live the seasons are told with the season",
+          "[scenario]") {
+  struct Row {
+    const char* why;
+    std::string text;
+    std::vector<std::string> told;  // nothing: it is fine
+  };
+  const std::string two = "seasons: [{name: a}, {name: b, physics: {";
+  const std::vector<Row> rows = {
+      {"the same engine", "profile: swift\n" + two + "step: 4 ms}}]\n", {}},
+      {"two engines, two lives", two + "engine: articulated}}]\n", {}},
+      {"an iterative season of ODE beside one of the other",
+       "profile: swift\n" + two + "engine: ode, solver: iterative}}]\n",
+       {}},
+      {"iterative, in one season of two",
+       "profile: swift\n" + two + "solver: iterative}}]\n",
+       {"season 'b'", "'solver: iterative'"}},
+      {"iterative by its profile",
+       "profile: published\nphysics: {engine: articulated}\nseasons:\n"
+       "  - {name: a}\n  - {name: b, terrain: {tilted: 5 deg}}\n",
+       {"season 'b'", "'solver: iterative'"}},
+      {"two engines, one life",
+       "lives: continuous\n" + two + "engine: articulated}}]\n",
+       {"'a' and 'b'", "lives: continuous"}},
+      {"no engine",
+       "physics: {engine: articulatd}\nseasons: [{}]\n",
+       {"'articulatd'", "did you mean 'articulated'?"}},
+      {"no profile",
+       "profile: swit\nseasons: [{}]\n",
+       {"'swit'", "did you mean 'swift'?"}},
+  };
+  for (const Row& row : rows) {
+    INFO(row.why);
+    const std::string errors = Errors(row.text);
+    INFO(errors);
+    CHECK(errors.empty() == row.told.empty());
+    for (const std::string& part : row.told)
+      CHECK(errors.find(part) != std::string::npos);
+  }
 }
 
 TEST_CASE("Seasons that take too many steps are told before they start",

@@ -60,6 +60,22 @@ TEST_CASE("An experiment of a study is its base with its own keys", "[study]") {
   CHECK(tilted.seasons[0].name == "tilted");
 }
 
+TEST_CASE("A base's profile holds where an experiment names none", "[study]") {
+  const auto study = ParseStudy(Source("s", R"(plsc_study: 1
+base: {profile: swift}
+experiments:
+  a: {}
+  b: {scenario: {seasons: [{}]}}
+  c: {profile: paper}
+  d: {scenario: {profile: paper, seasons: [{}]}}
+)"));
+  REQUIRE(study);
+  std::vector<bool> with_ode;
+  for (const StudyExperiment& one : study->experiments)
+    with_ode.push_back(UsesOde(one.experiment.scenario));
+  CHECK(with_ode == std::vector{false, false, true, true});
+}
+
 TEST_CASE("Without any other key a study repeats the paper's experiment",
           "[study]") {
   const Study study = Parsed("experiments: {paper: {}}");

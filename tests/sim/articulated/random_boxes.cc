@@ -128,6 +128,13 @@ BoxPose RandomBoxes::Next() {
   return pose;
 }
 
+OrientedBox RandomBoxes::NextBox() {
+  OrientedBox box{};
+  Size(box);
+  Rotation(box.axes);
+  return box;
+}
+
 OrientedBox Moved(const OrientedBox& box, const double (&axes)[3][3],
                   const double (&shift)[3]) {
   const auto turned = [&](const double(&from)[3], double(&to)[3]) {

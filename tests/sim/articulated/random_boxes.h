@@ -30,6 +30,8 @@ class RandomBoxes {
   /// centre to centre, a third apart, the others up to 2 cm into each other and
   /// mostly by far less; never at one centre, where there is no way out.
   BoxPose Next();
+  /// One, turned in any way, at the origin.
+  OrientedBox NextBox();
 
   std::uint64_t Bits();
   double Uniform(double low, double high);

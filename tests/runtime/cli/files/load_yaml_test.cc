@@ -34,6 +34,21 @@ TEST_CASE("an experiment finds its scenario beside itself", "[load_yaml]") {
   CHECK(loaded.experiment->scenario.name == "mine");
 }
 
+TEST_CASE("a scenario's file is read by the profile of the experiment",
+          "[load_yaml]") {
+  const test::TemporaryFolder folder;
+  folder.Write("none.yaml", "plsc_scenario: 1\nseasons: [{}]\n");
+  folder.Write("own.yaml", "plsc_scenario: 1\nprofile: paper\nseasons: [{}]\n");
+  for (const bool is_own : {false, true}) {
+    const auto loaded = Load(
+        folder.Write("e.yaml", std::string("profile: swift\nscenario: ") +
+                                   (is_own ? "own.yaml\n" : "none.yaml\n")));
+    INFO(loaded.err);
+    REQUIRE(loaded.experiment);
+    CHECK(UsesOde(loaded.experiment->scenario) == is_own);
+  }
+}
+
 TEST_CASE("what is wrong around an experiment is said", "[load_yaml]") {
   const test::TemporaryFolder folder;
   folder.Write("s.yaml",
