@@ -10,6 +10,9 @@
 
 namespace plsc::test {
 
+inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
+inline constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
 /// The distance of `got` in the units of a double near `want`.
 inline double Ulps(double got, long double want) {
   if (static_cast<long double>(got) == want) return 0;
