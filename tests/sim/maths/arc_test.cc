@@ -12,6 +12,7 @@ using test::IsSame;
 using test::kInfinity;
 using test::kNaN;
 using test::Ulps;
+
 constexpr double kPi = 0x1.921fb54442d18p+1;
 
 TEST_CASE("Arc tangents are right to two thirds of a last place", "[maths]") {
