@@ -26,6 +26,8 @@
 #include <cstddef>
 #include <limits>
 
+#include "sim/maths/sine.h"
+
 namespace plsc {
 namespace {
 
@@ -85,7 +87,8 @@ Eigen::Matrix3Xd FinePoints(const Box& box) {
 
 Vector3d GroundNormal(const Terrain& terrain) {
   if (terrain.type != TerrainType::kTilted) return Vector3d::UnitZ();
-  return {0, -std::sin(terrain.tilt), std::cos(terrain.tilt)};
+  const auto [sine, cosine] = SinCos(terrain.tilt);
+  return {0, -sine, cosine};
 }
 
 LinkCorners CornersOf(const Link& link) {
