@@ -125,11 +125,11 @@ TEST_CASE("A solver that fails too often ends the life", "[limits]") {
   // Contacts that do not slip at all over-determine the robot's place. For
   // ODE's solver alone: what the articulated engine solves has one solution for
   // any slip and friction, and no way was found to make it fail.
-  const Phenotype robot = WithOscillators(Cross(), 1, 2);
+  const Phenotype robot = WithOscillators(Cross(), 0.5, 2);
   SimulationOptions options = Second(EngineKind::kOde);
   options.duration = 5;
   options.physics.slip = 0;
-  options.physics.friction = 1000;
+  options.physics.friction = 10;
   options.physics.max_solver_failures = 1e9;
   const Trajectory all = Simulate(robot, {}, options);
   INFO(all.solver_warnings);
