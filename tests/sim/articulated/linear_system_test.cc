@@ -41,32 +41,57 @@ std::vector<double> Filed(const MatrixXd& matrix, std::size_t stride) {
   return rows;
 }
 
+/// How far solutions may be apart: both err by as many roundings as there are
+/// unknowns, times the condition. 4 was not reached by far.
+double AllowedOf(Index size, double condition) {
+  return 4 * static_cast<double>(size) * condition *
+         std::numeric_limits<double>::epsilon();
+}
+
+VectorXd DrawRight(Index size, std::mt19937& random) {
+  VectorXd right(size);
+  for (double& entry : right) entry = test::Uniform(random, -1, 1);
+  return right;
+}
+
 TEST_CASE("Linear systems have Eigen's solutions", "[linear_system]") {
   std::mt19937 random(4);  // any
   for (const Index size : {1, 2, 3, 6, 7, 11, 24, 40}) {
     for (const double condition : {1.0, 1e3, 1e6, 1e9}) {
       CAPTURE(size, condition);
       const MatrixXd matrix = RandomMatrix(size, condition, random);
-      VectorXd right(size);
-      for (double& entry : right) entry = test::Uniform(random, -1, 1);
+      const VectorXd right = DrawRight(size, random);
       const VectorXd expected = matrix.ldlt().solve(right);
-      // Both err by as many roundings as there are unknowns, times the
-      // condition; 4 was not reached by far.
-      const double allowed = 4 * static_cast<double>(size) * condition *
-                             std::numeric_limits<double>::epsilon();
-      const auto check = [&](const VectorXd& solution) {
-        CHECK((solution - expected).norm() <= allowed * expected.norm());
-      };
       const auto stride = static_cast<std::size_t>(size) + 3;
       VectorXd solution = right;
-      SolveOfSize(static_cast<int>(size), Filed(matrix, stride).data(), stride,
+      SolveSystem(static_cast<int>(size), Filed(matrix, stride).data(), stride,
                   solution.data());
-      check(solution);
-      if (size != 6) continue;
-      solution = right;
-      SolveOfBase(Filed(matrix, stride).data(), stride, solution.data());
-      check(solution);
+      CHECK((solution - expected).norm() <=
+            AllowedOf(size, condition) * expected.norm());
     }
+  }
+}
+
+TEST_CASE("The base's system has Eigen's solutions", "[linear_system]") {
+  std::mt19937 random(5);  // any
+  for (const double weight : {1e-3, 1.0, 1e3, 1e6}) {
+    CAPTURE(weight);
+    // A part that is any, weighed, of which three unknowns do not act on each
+    // other, and enough on the diagonal.
+    MatrixXd matrix = weight * RandomMatrix(6, 10, random);
+    const VectorXd own = matrix.diagonal().tail(3);
+    matrix.bottomRightCorner(3, 3) = own.asDiagonal();
+    matrix.diagonal().array() += 30 * weight;
+    matrix.diagonal().array() += 1;
+    const VectorXd right = DrawRight(6, random);
+    const VectorXd expected = matrix.ldlt().solve(right);
+    std::vector<double> filed = Filed(matrix, 9);
+    // Not read, as it is 0.
+    filed[4 * 9 + 3] = filed[5 * 9 + 3] = filed[5 * 9 + 4] =
+        std::numeric_limits<double>::quiet_NaN();
+    VectorXd solution = right;
+    SolveOfBase(filed.data(), 9, solution.data());
+    CHECK((solution - expected).norm() <= AllowedOf(6, 1) * expected.norm());
   }
 }
 
@@ -76,9 +101,11 @@ TEST_CASE("A system that is not positive definite is no harm",
        {0.0, -1.0, std::numeric_limits<double>::quiet_NaN()}) {
     MatrixXd matrix = MatrixXd::Identity(6, 6);
     matrix(2, 2) = entry;
-    VectorXd right = VectorXd::Ones(6);
-    SolveOfBase(Filed(matrix, 6).data(), 6, right.data());
-    CHECK((entry == -1 ? right[2] == -1 : !std::isfinite(right[2])));
+    VectorXd all = VectorXd::Ones(6), of_base = all;
+    SolveSystem(6, Filed(matrix, 6).data(), 6, all.data());
+    SolveOfBase(Filed(matrix, 6).data(), 6, of_base.data());
+    CHECK((entry == -1 ? all[2] == -1 : !std::isfinite(all[2])));
+    CHECK((entry == -1 ? of_base[2] == -1 : !of_base.allFinite()));
   }
 }
 

@@ -95,20 +95,30 @@ Row DrawMotorRow(const Kind& kind, std::mt19937& random) {
   return row;
 }
 
+/// Of a dozen points of 20 g, which turn about and move with the base and are
+/// moved by joints in any way.
+MatrixXd DrawMass(Index size, std::mt19937& random) {
+  MatrixXd mass = MatrixXd::Zero(size, size);
+  for (int point = 0; point < 12; ++point) {
+    const Vector3d r = 0.1 * DrawVector(random);
+    MatrixXd moved(3, size);
+    moved.leftCols(3) << 0, r.z(), -r.y(), -r.z(), 0, r.x(), r.y(), -r.x(), 0;
+    moved.middleCols(3, 3).setIdentity();
+    for (Index joint = 6; joint < size; ++joint)
+      moved.col(joint) = 0.1 * DrawVector(random);
+    mass += 0.02 * moved.transpose() * moved;
+  }
+  return mass;
+}
+
 Whole DrawProblem(const Kind& kind, std::mt19937& random) {
   const Index size = Problem::kBase + kind.joints;
   Whole whole;
-  // About a robot's: 0.2 kg, and 1e-3 kg m2.
-  MatrixXd half =
-      MatrixXd::NullaryExpr(size, size, [&]() { return Draw(random, -1, 1); });
-  VectorXd scale = VectorXd::Constant(size, 0.03);
-  scale.segment(3, 3).setConstant(0.4);
-  whole.mass = half * half.transpose() + 0.3 * MatrixXd::Identity(size, size);
-  whole.mass = scale.asDiagonal() * whole.mass * scale.asDiagonal();
-  // Only the base's is as bodies have it in what the engine asks; the problem
-  // itself takes any.
-  whole.aim = scale.cwiseProduct(VectorXd::NullaryExpr(
-      size, [&]() -> double { return Draw(random, -0.1, 0.1); }));
+  whole.mass = DrawMass(size, random);
+  VectorXd most = VectorXd::Constant(size, 1e-3);  // of a robot's momentum
+  most.segment(3, 3).setConstant(0.05);
+  whole.aim = VectorXd::NullaryExpr(
+      size, [&](Index i) { return most[i] * Draw(random, -1, 1); });
   const Index of_contacts = 3 * kind.contacts;
   whole.directions = MatrixXd::Zero(of_contacts + kind.joints, size);
   for (int i = 0; i < kind.contacts; ++i) {
