@@ -136,6 +136,24 @@ void Placed(const std::vector<Phenotype>& robots) {
   Tell("placed", hash.value());
 }
 
+/// 100 lives of 5 s on all kinds of ground.
+void Lives(const std::vector<Phenotype>& robots) {
+  Fnv hash;
+  const std::vector<Terrain> terrains = test::AllTerrains();
+  SimulationOptions options;
+  options.physics.engine = EngineKind::kArticulated;
+  options.duration = 5;
+  for (std::size_t i = 0; i < 100; ++i) {
+    const Trajectory life = Simulate(robots[i * robots.size() / 100],
+                                     terrains[i % terrains.size()], options);
+    hash.Add(std::to_string(life.state_hash));
+    hash.Add(static_cast<double>(life.outcome));
+    for (const double x : life.mass_centre.reshaped()) hash.Add(x);
+    for (const double x : life.core_orientation.reshaped()) hash.Add(x);
+  }
+  Tell("lived", hash.value());
+}
+
 }  // namespace
 }  // namespace plsc
 
@@ -151,7 +169,6 @@ int main() {
   std::printf("robots %zu\n", robots.size());
   plsc::Controlled(robots);
   plsc::Placed(robots);
-  // Lives belong here: of the engines, the articulated one is the same on all
-  // machines.
+  plsc::Lives(robots);
   return robots.size() > 50 ? 0 : 1;
 }
