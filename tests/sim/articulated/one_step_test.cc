@@ -31,6 +31,7 @@ struct Compared {
   int contacts_more = 0;  ///< than ODE found
   bool is_overloaded = false;
   bool is_at_stop = false;
+  bool leaves_stop = false;  ///< a servo drives its joint away from it
 };
 
 double Apart(const Engine& a, const Engine& b, int links) {
@@ -60,9 +61,12 @@ Compared Compare(test::Driven& robot) {
   Take(robot, *ode);
   Take(robot, *taken);
   Compared compared;
-  for (int joint = 0; joint < robot.joints(); ++joint)
-    if (std::abs(robot.engine.JointAngle(joint)) >= robot.options.servo.range)
-      compared.is_at_stop = true;
+  for (int joint = 0; joint < robot.joints(); ++joint) {
+    const double angle = robot.engine.JointAngle(joint);
+    if (std::abs(angle) < robot.options.servo.range) continue;
+    compared.is_at_stop = true;
+    if (angle * robot.TargetOf(joint) < 0) compared.leaves_stop = true;
+  }
   REQUIRE(ode->Step());
   REQUIRE(taken->Step());
   REQUIRE(robot.Step());
@@ -149,11 +153,19 @@ std::size_t Count(const std::vector<Compared>& all, const Is& is) {
   return static_cast<std::size_t>(std::count_if(all.begin(), all.end(), is));
 }
 
+/// Without those of which `is` holds.
+template <typename Is>
+std::vector<Compared> Without(std::vector<Compared> all, const Is& is) {
+  all.erase(std::remove_if(all.begin(), all.end(), is), all.end());
+  return all;
+}
+
 void CheckSteps(int robots) {
-  std::vector<Compared> all = CompareMany(robots);
-  all.erase(std::remove_if(all.begin(), all.end(),
-                           [](const Compared& one) { return one.meets; }),
-            all.end());
+  // A servo that leaves a stop goes at its speed; ODE's gives all it has for a
+  // step (sim/articulated/motors). That is the one law that differs.
+  const std::vector<Compared> all =
+      Without(CompareMany(robots),
+              [](const Compared& one) { return one.meets || one.leaves_stop; });
   const auto share = [&](std::size_t count) {
     return static_cast<double>(count) / static_cast<double>(all.size());
   };
@@ -167,15 +179,14 @@ void CheckSteps(int robots) {
             all, [](const Compared& one) { return one.is_overloaded; })) > 0.2);
   CHECK(share(Count(all, [](const Compared& one) { return one.is_at_stop; })) >
         0.05);
-  // Reached: 1.5e-6 and 5e-8.
+  // Reached in 11589 states: 1.1e-6 and 4e-8.
   CHECK(Quantile(all, &Compared::own_off, 0.99) < 1e-5);
   CHECK(Quantile(all, &Compared::taken_off, 0.99) < 1e-6);
-  // Beyond 1e-5 were 10 of 5918. Six of them are the momenta carried (they are
-  // below 1e-6 from a state that was taken over): joints of light modules
-  // whose servos are overloaded, which 1e-7 N m speed up by 1e-3 rad/s. The
-  // four others, 2.6e-4 at most, have overloaded servos, too; three stand on
-  // rough ground. A step of ODE's from a state 1e-9 m/s aside keeps the
-  // difference, so it is none of rounding.
+  // Beyond 1e-5 were 15. Twelve of them are the momenta carried, which a state
+  // that is taken over has not: joints of light modules whose servos are
+  // overloaded, which 1e-7 N m speed up by 1e-3 rad/s. The three others, 2.6e-4
+  // at most, have overloaded servos on rough ground, too; a step of ODE's from
+  // a state 1e-9 m/s aside keeps the difference, so it is none of rounding.
   CHECK(share(own_much) < 0.005);
   CHECK(share(taken_much) < 0.002);
   CHECK(Quantile(all, &Compared::own_off, 1) < 2e-3);
@@ -195,7 +206,7 @@ TEST_CASE("Thousands of steps are ODE's from the same states",
 
 TEST_CASE("Contacts of a robot with itself are what their laws say",
           "[one_step]") {
-  std::vector<Compared> all = CompareMeeting(120);
+  const std::vector<Compared> all = CompareMeeting(120);
   CAPTURE(all.size());
   REQUIRE(all.size() > 500);
   CHECK(Quantile(all, &Compared::residual, 1) < 1e-6);
@@ -205,16 +216,14 @@ TEST_CASE("Contacts of a robot with itself are what their laws say",
   // has not.
   CHECK(Count(all, [](const Compared& one) { return one.contacts_more < 0; }) ==
         0);
-  const std::size_t before = all.size();
-  all.erase(std::remove_if(
-                all.begin(), all.end(),
-                [](const Compared& one) { return one.contacts_more != 0; }),
-            all.end());
-  CHECK(5 * all.size() > 4 * before);
+  const std::vector<Compared> alike = Without(all, [](const Compared& one) {
+    return one.contacts_more != 0 || one.leaves_stop;
+  });
+  CHECK(5 * alike.size() > 4 * all.size());
   // Reached: 2.8e-7 and 8.3e-6, 6.3e-6 where the state was taken over.
-  CHECK(Quantile(all, &Compared::own_off, 0.5) < 2e-6);
-  CHECK(Quantile(all, &Compared::own_off, 0.99) < 3e-5);
-  CHECK(Quantile(all, &Compared::taken_off, 0.99) < 2e-5);
+  CHECK(Quantile(alike, &Compared::own_off, 0.5) < 2e-6);
+  CHECK(Quantile(alike, &Compared::own_off, 0.99) < 3e-5);
+  CHECK(Quantile(alike, &Compared::taken_off, 0.99) < 2e-5);
 }
 
 }  // namespace
