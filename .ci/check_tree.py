@@ -81,7 +81,7 @@ NOT_IN_CORE = re.compile(
 PRIVATE = {"sim/ode/ode_contacts": "sim/ode/ode_engine"}
 # What is dear to compile -> the most sources of the product and of tests that
 # may see it, through any number of headers.
-MOST_REACHED = {"Eigen/": (52, 62)}
+MOST_REACHED = {"Eigen/": (60, 70)}
 MOST_CONCEPTS = 40  # of a folder: what one can look over
 INCLUDE = re.compile(r'^#include [<"]([^>"]+)[>"]', re.MULTILINE)
 SOURCES = [p for f in ("grammar", "compiler", "sim", "runtime")

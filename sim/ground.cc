@@ -5,8 +5,8 @@
 // long sides get points in between, and what is narrower than these is not
 // seen.
 //
-// Most boxes are in the air. A sphere about the link spares all of it, one
-// about a box its eight corners; on hills the sphere grows by what the ground
+// Most boxes are in the air. A sphere about the link spares all of it, how far
+// a box reaches down its eight corners; on hills a sphere grows by what the ground
 // can rise across it (steepest). All of this only leaves out points that cannot
 // touch: a rule that dropped a touching corner would be another physics.
 //
@@ -55,6 +55,9 @@ constexpr double kNoArea = 1e-9;
 // a corner is never passed over.
 constexpr double kRoundOff = 1e-12;
 
+// Fine points of a box at most: 3 x 3 x 3 but for its centre.
+constexpr int kMostFine = 26;
+
 /// -1, 1 and, if the side is long, 0.
 std::vector<double> Places(double side) {
   if (side > kFineSide) return {-1, 0, 1};
@@ -97,6 +100,7 @@ LinkCorners CornersOf(const Link& link) {
       corners.radius = std::max(corners.radius, next.points.col(corner).norm());
     }
     next.centre = box.centre - link.centre;
+    next.half = box.axes.cwiseAbs() * box.size / 2;
     next.radius = box.size.norm() / 2;
     next.fine = FinePoints(box).colwise() + next.centre;
     corners.boxes.push_back(next);
@@ -111,15 +115,19 @@ void AppendGroundContacts(const LinkCorners& link, const LinkPose& pose,
   if (height > link.radius) return;
   // The normal is turned into the link's frame once, not every corner out.
   const Vector3d up = pose.axes.transpose() * normal;
+  const Vector3d reach = up.cwiseAbs();
+  int key = -8;
   for (const BoxCorners& box : link.boxes) {
+    key += 8;
     // Most boxes of most robots are in the air: one test spares eight.
-    if (height + up.dot(box.centre) > box.radius + kRoundOff) continue;
+    if (height + up.dot(box.centre) > reach.dot(box.half) + kRoundOff) continue;
     for (int corner = 0; corner < 8; ++corner) {
       const Vector3d point = box.points.col(corner);
       const double depth = -(height + up.dot(point));
       if (depth < 0) continue;
       contacts.push_back(
-          {box.module, depth, pose.position + pose.axes * point, normal});
+          {box.module, depth, pose.position + pose.axes * point, normal,
+           key + corner});
     }
   }
 }
@@ -128,7 +136,9 @@ void AppendRoughContacts(const LinkCorners& link, const LinkPose& pose,
                          const HeightField& field,
                          std::vector<GroundContact>& contacts) {
   if (pose.position.z() - link.radius > field.bound()) return;
+  int key = -kMostFine;
   for (const BoxCorners& box : link.boxes) {
+    key += kMostFine;
     const Vector3d centre = pose.position + pose.axes * box.centre;
     // The ground under any point of the box is at most so much higher than
     // under its centre.
@@ -143,7 +153,8 @@ void AppendRoughContacts(const LinkCorners& link, const LinkPose& pose,
       if (below < 0) continue;
       const Vector3d normal =
           Vector3d(-ground.slope_x, -ground.slope_y, 1).normalized();
-      contacts.push_back({box.module, below * normal.z(), point, normal});
+      contacts.push_back({box.module, below * normal.z(), point, normal,
+                          key + static_cast<int>(i)});
     }
   }
 }

@@ -33,6 +33,7 @@ struct BoxCorners {
   Eigen::Matrix3Xd fine;
   double radius = 0;       ///< m, from the centre to a corner
   Eigen::Vector3d centre;  ///< m
+  Eigen::Vector3d half;    ///< m, half the extent along the link's axes
 };
 
 /// m. Sides of a core, a brick, a frame, a plate and a sensor can be longer;
@@ -52,6 +53,8 @@ struct GroundContact {
   double depth = 0;          ///< m, at least 0
   Eigen::Vector3d position;  ///< m, world frame
   Eigen::Vector3d normal;    ///< unit, out of the ground
+  /// Tells the point from the link's others, and stays while it touches.
+  int key = 0;
 };
 
 /// Where a link is: its centre of mass, and its axes as columns.

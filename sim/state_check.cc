@@ -16,6 +16,9 @@ namespace {
 // 70 mm a step, which the next steps stop.
 constexpr double kDeepest = 0.1;
 
+// Of a square: rounding cannot make what is below it more than the limit.
+constexpr double kNearly = 1 - 1e-12;
+
 Engine::Failure Unstable(std::string reason) {
   return {Outcome::kUnstable, std::move(reason)};
 }
@@ -25,6 +28,8 @@ Engine::Failure Unstable(std::string reason) {
 StateCheck::StateCheck(const Scene& scene)
     : physics_(scene.options.physics),
       normal_(GroundNormal(scene.terrain)),
+      speed_squared_(kNearly * physics_.max_speed * physics_.max_speed),
+      spin_squared_(kNearly * physics_.max_spin * physics_.max_spin),
       most_warnings_(physics_.max_solver_failures * scene.options.duration /
                      physics_.step) {
   const double hollow = scene.terrain.type == TerrainType::kRough

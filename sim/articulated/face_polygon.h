@@ -48,8 +48,8 @@ struct CuttingSide {
 bool Cut(const FacePolygon& polygon, const CuttingSide& side,
          FacePolygon& rest);
 
-/// Puts those points first that are handed on, at most kMostBoxContacts, of
-/// them the deepest; how many these are. There must be one at least.
+/// Puts the points first that are handed on, the deepest before all; how many
+/// these are, at most kMostSupport. There must be one at least.
 std::size_t KeepSupport(FacePolygon& polygon);
 
 }  // namespace plsc

@@ -40,6 +40,7 @@ SimulationOptions Options(double duration) {
   SimulationOptions options;
   options.duration = duration;
   options.start_height.reset();
+  options.physics.engine = EngineKind::kArticulated;
   return options;
 }
 

@@ -81,7 +81,7 @@ TEST_CASE("A comment may stand between any two tokens", "[format]") {
   }
 }
 
-const std::string kHead = "plsc 1\n\nalphabet plasticoding 1\n\n";
+const std::string kFormatHead = "plsc 1\n\nalphabet plasticoding 1\n\n";
 
 TEST_CASE("Paragraphs of a production stay", "[format]") {
   struct Row {
@@ -107,14 +107,17 @@ TEST_CASE("Paragraphs of a production stay", "[format]") {
   };
   for (const Row& row : rows) {
     DYNAMIC_SECTION(row.why) {
-      CHECK(Formatted(kHead + row.written) == kHead + row.formatted);
-      CHECK(Formatted(kHead + row.written, true) == kHead + row.compact);
+      CHECK(Formatted(kFormatHead + row.written) ==
+            kFormatHead + row.formatted);
+      CHECK(Formatted(kFormatHead + row.written, true) ==
+            kFormatHead + row.compact);
     }
   }
 }
 
 TEST_CASE("Lines end as they did", "[format]") {
-  const std::string text = kHead + "# a\nrule C -> {\n  C  # b\n\n  B\n}\n";
+  const std::string text =
+      kFormatHead + "# a\nrule C -> {\n  C  # b\n\n  B\n}\n";
   std::string windows;
   for (const char c : text) windows += c == '\n' ? "\r\n" : std::string(1, c);
   CHECK(Formatted(text) == text);

@@ -7,14 +7,14 @@
 namespace plsc {
 namespace {
 
-struct Row {
+struct LayoutRow {
   const char* why;
   const char* text;  // behind the first two lines
   const char* laid_out;
 };
 
-void CheckAll(const std::vector<Row>& rows, bool is_compact) {
-  for (const Row& row : rows) {
+void CheckAll(const std::vector<LayoutRow>& rows, bool is_compact) {
+  for (const LayoutRow& row : rows) {
     DYNAMIC_SECTION(row.why) {
       const Source source(
           "a.pls", std::string("plsc 1\nalphabet plasticoding 1\n") + row.text);

@@ -9,7 +9,7 @@
 namespace plsc {
 namespace {
 
-struct Row {
+struct RenderingRow {
   const char* why;
   const char* source;
   const char* text;
@@ -18,8 +18,8 @@ struct Row {
 // Lines 1 to 3 of most sources.
 #define HEAD "plsc 1\nalphabet plasticoding 1\nsense inclined: bool\n"
 
-const std::vector<Row>& Rows() {
-  static const std::vector<Row> kRows = {
+const std::vector<RenderingRow>& Rows() {
+  static const std::vector<RenderingRow> kRows = {
       {"the version is missing", "genotype gecko\n",
        R"(error[P5001]: a genotype file starts with the language version
  --> a.pls:1:1
@@ -184,7 +184,7 @@ const std::vector<Row>& Rows() {
 #undef HEAD
 
 TEST_CASE("Diagnostics read as documented", "[rendering]") {
-  for (const Row& row : Rows()) {
+  for (const RenderingRow& row : Rows()) {
     DYNAMIC_SECTION(row.why) {
       const Source source("a.pls", row.source);
       CHECK(Render(Compile(source).diagnostics(), source) == row.text);

@@ -22,13 +22,13 @@ Program Base() {
       "environment one { a = True, r = 0, e = y }");
 }
 
-struct Row {
+struct VerifyRow {
   const char* why;
   std::function<void(Program&)> change;
 };
 
-void CheckAllBroken(const std::vector<Row>& rows) {
-  for (const Row& row : rows) {
+void CheckAllBroken(const std::vector<VerifyRow>& rows) {
+  for (const VerifyRow& row : rows) {
     DYNAMIC_SECTION(row.why) {
       Program program = Base();
       REQUIRE(Verify(program).empty());

@@ -74,10 +74,10 @@ TEST_CASE("A rule matched by hand prints as what it reads like", "[ebnf]") {
 }
 
 TEST_CASE("A choice within a sequence stands in parentheses", "[ebnf]") {
-  using Kind = Ebnf::Kind;
-  const Ebnf a{Kind::kTerminal, "\"a\"", {}};
-  const Ebnf b{Kind::kTerminal, "\"b\"", {}};
-  const Ebnf choice{Kind::kChoice, "", {a, b}};
+  using EbnfKind = Ebnf::Kind;
+  const Ebnf a{EbnfKind::kTerminal, "\"a\"", {}};
+  const Ebnf b{EbnfKind::kTerminal, "\"b\"", {}};
+  const Ebnf choice{EbnfKind::kChoice, "", {a, b}};
   struct {
     const char* why;
     Ebnf body;
@@ -85,19 +85,19 @@ TEST_CASE("A choice within a sequence stands in parentheses", "[ebnf]") {
   } const cases[] = {
       {"alone it does not", choice, "s = \"a\" | \"b\" ;\n"},
       {"of one part it is none",
-       {Kind::kSequence, "", {{Kind::kChoice, "", {a, {}}}, b}},
+       {EbnfKind::kSequence, "", {{EbnfKind::kChoice, "", {a, {}}}, b}},
        "s = \"a\" \"b\" ;\n"},
       {"in a sequence",
-       {Kind::kSequence, "", {choice, b}},
+       {EbnfKind::kSequence, "", {choice, b}},
        "s = ( \"a\" | \"b\" ) \"b\" ;\n"},
       {"braces are enough",
-       {Kind::kRepeat, "", {choice}},
+       {EbnfKind::kRepeat, "", {choice}},
        "s = { \"a\" | \"b\" } ;\n"},
       {"choices of choices are one",
-       {Kind::kChoice, "", {choice, b}},
+       {EbnfKind::kChoice, "", {choice, b}},
        "s = \"a\" | \"b\" | \"b\" ;\n"},
       {"nothing repeated is nothing",
-       {Kind::kSequence, "", {{Kind::kRepeat, "", {Ebnf{}}}, a}},
+       {EbnfKind::kSequence, "", {{EbnfKind::kRepeat, "", {Ebnf{}}}, a}},
        "s = \"a\" ;\n"},
   };
   for (const auto& c : cases) {

@@ -5,7 +5,7 @@
 namespace plsc {
 namespace {
 
-SyntaxContext At(std::string_view text, std::uint32_t offset) {
+SyntaxContext NumberAt(std::string_view text, std::uint32_t offset) {
   SyntaxContext context;
   context.text = text;
   context.offset = offset;
@@ -26,27 +26,27 @@ TEST_CASE("A number that another language would take is corrected",
   };
   for (const Row& row : rows) {
     DYNAMIC_SECTION(row.text) {
-      const auto found = DescribeNumberLike(At(row.text, 0));
+      const auto found = DescribeNumberLike(NumberAt(row.text, 0));
       REQUIRE(found);
       CHECK(NumberOf(found->code) == row.code);
       CHECK(found->fixes.empty() == (row.right == nullptr));
       if (row.right != nullptr) CHECK(found->fixes[0].replacement == row.right);
     }
   }
-  CHECK_FALSE(DescribeNumberLike(At("name", 0)));
-  CHECK_FALSE(DescribeNumberLike(At("-", 0)));
-  CHECK_FALSE(DescribeNumberLike(At("", 0)));
+  CHECK_FALSE(DescribeNumberLike(NumberAt("name", 0)));
+  CHECK_FALSE(DescribeNumberLike(NumberAt("-", 0)));
+  CHECK_FALSE(DescribeNumberLike(NumberAt("", 0)));
 }
 
 TEST_CASE("A number that does not end is told why", "[number_error]") {
-  CHECK(DescribeNumberEnd(At("-0x1F", 2)).code == Code::kForeignNumber);
-  CHECK(DescribeNumberEnd(At("1_000", 1)).fixes[0].replacement == "1000");
-  CHECK(DescribeNumberEnd(At("1.2.3", 3)).message ==
+  CHECK(DescribeNumberEnd(NumberAt("-0x1F", 2)).code == Code::kForeignNumber);
+  CHECK(DescribeNumberEnd(NumberAt("1_000", 1)).fixes[0].replacement == "1000");
+  CHECK(DescribeNumberEnd(NumberAt("1.2.3", 3)).message ==
         "'1.2.3' has more than one '.'");
-  CHECK(DescribeNumberEnd(At("2px", 1)).message ==
+  CHECK(DescribeNumberEnd(NumberAt("2px", 1)).message ==
         "expected the number to end before 'px'");
-  CHECK(DescribeMissingDigits(At("2.", 2)).label == "write '2.0' or '2'");
-  CHECK(DescribeMissingDigits(At("2e+", 3)).message ==
+  CHECK(DescribeMissingDigits(NumberAt("2.", 2)).label == "write '2.0' or '2'");
+  CHECK(DescribeMissingDigits(NumberAt("2e+", 3)).message ==
         "expected digits after '+'");
 }
 

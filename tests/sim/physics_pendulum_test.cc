@@ -15,8 +15,8 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-constexpr double kGravity = 9.8;  // m/s2
-constexpr double kLength = 0.1;   // m, hinge to the rod's middle
+constexpr double kPendulumGravity = 9.8;  // m/s2
+constexpr double kLength = 0.1;           // m, hinge to the rod's middle
 
 Link SolidBox(double mass, const Vector3d& size, const Vector3d& centre,
               const Matrix3d& axes) {
@@ -50,7 +50,7 @@ Assembly Pendulum(double amplitude) {
 SimulationOptions Swinging(double step) {
   SimulationOptions options;
   options.start_height = 0.5;  // the block stands on the ground
-  options.physics.gravity = kGravity;
+  options.physics.gravity = kPendulumGravity;
   options.physics.damping = 0;
   options.physics.step = step;
   options.servo.max_torque = 0;  // no motor
@@ -88,7 +88,8 @@ TEST_CASE("A pendulum swings with the period of its length", "[physics]") {
     // term, 173 a^6/737280, is 2.4e-4 at 1 rad.
     const double a = row.amplitude;
     const double expected =
-        2 * M_PI * std::sqrt(about_hinge / (rod.mass * kGravity * kLength)) *
+        2 * M_PI *
+        std::sqrt(about_hinge / (rod.mass * kPendulumGravity * kLength)) *
         (1 + a * a / 16 + 11 * std::pow(a, 4) / 3072 +
          173 * std::pow(a, 6) / 737280);
     World world(pendulum, {}, Swinging(row.step));

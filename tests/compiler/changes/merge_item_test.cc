@@ -19,7 +19,7 @@ class Written {
   WrittenFile file_;
 };
 
-struct Row {
+struct MergeItemRow {
   const char* why;
   const char* base;
   const char* ours;
@@ -27,8 +27,8 @@ struct Row {
   const char* merged;  ///< or "! what of the first clash"
 };
 
-void Check(const std::vector<Row>& rows) {
-  for (const Row& row : rows) {
+void Check(const std::vector<MergeItemRow>& rows) {
+  for (const MergeItemRow& row : rows) {
     DYNAMIC_SECTION(row.why) {
       const Written base(row.base);
       const Written ours(row.ours);

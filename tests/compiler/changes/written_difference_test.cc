@@ -7,7 +7,7 @@
 namespace plsc {
 namespace {
 
-const std::string kHead = "plsc 1\nalphabet plasticoding 1\n";
+const std::string kDifferenceHead = "plsc 1\nalphabet plasticoding 1\n";
 
 // "+let a ~rule 1 of B[T(1)>T(2)]": marks + - > ~, and changed parts.
 std::string Shown(const std::vector<SectionChange>& sections) {
@@ -60,16 +60,17 @@ TEST_CASE("CompareTexts tells what changed", "[written_difference]") {
   };
   for (const Row& row : rows) {
     DYNAMIC_SECTION(row.why) {
-      CHECK(Shown(CompareTexts(Source("old", kHead + row.before),
-                               Source("new", kHead + row.after))) == row.shown);
+      CHECK(Shown(CompareTexts(Source("old", kDifferenceHead + row.before),
+                               Source("new", kDifferenceHead + row.after))) ==
+            row.shown);
     }
   }
 }
 
 TEST_CASE("Changes have lines", "[written_difference]") {
   const auto changes =
-      CompareTexts(Source("old", kHead + "let a = 1\nlet b = 1\n"),
-                   Source("new", kHead + "\nlet a = 2\nlet c = 1\n"));
+      CompareTexts(Source("old", kDifferenceHead + "let a = 1\nlet b = 1\n"),
+                   Source("new", kDifferenceHead + "\nlet a = 2\nlet c = 1\n"));
   REQUIRE(changes.size() == 1);
   REQUIRE(changes[0].items.size() == 3);
   CHECK(changes[0].items[0].old_line == 3);
@@ -80,7 +81,7 @@ TEST_CASE("Changes have lines", "[written_difference]") {
 
 TEST_CASE("CompareGenotypes compares what has other names",
           "[written_difference]") {
-  const Source zoo("zoo", kHead +
+  const Source zoo("zoo", kDifferenceHead +
                               "genotype a\niterations 1\n"
                               "genotype b\niterations 2\n");
   CHECK(Shown(CompareGenotypes({zoo, "a"}, {zoo, "b"})) ==

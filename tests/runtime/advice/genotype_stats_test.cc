@@ -7,7 +7,7 @@
 namespace plsc {
 namespace {
 
-const std::string kText =
+const std::string kStatsText =
     "plsc 1\ngenotype sample\nalphabet plasticoding 1\nsense wet: bool\n"
     "iterations 2\n"
     "rule C -> if wet = False then { C add_left B }\n"
@@ -16,7 +16,7 @@ const std::string kText =
     "environment dry { wet = False }\nenvironment wet { wet = True }\n";
 
 TEST_CASE("Statistics count what each rule did", "[genotype_stats]") {
-  const Program program = test::CompileText(kText);
+  const Program program = test::CompileText(kStatsText);
   const auto result = StatsOf(program.genotype, program.environments);
   REQUIRE(result);
   const GenotypeStats& stats = *result;

@@ -8,7 +8,7 @@
 namespace plsc {
 namespace {
 
-const std::string kText =
+const std::string kRenderedText =
     "plsc 1\ngenotype sample\nalphabet plasticoding 1\nsense wet: bool\n"
     "iterations 1\n"
     "rule C -> if wet = False then { C add_left B }\n"
@@ -16,7 +16,7 @@ const std::string kText =
     "environment dry { wet = False }\nenvironment rain { wet = True }\n";
 
 TEST_CASE("Statistics are a column an environment", "[stats_text]") {
-  const Program program = test::CompileText(kText);
+  const Program program = test::CompileText(kRenderedText);
   const auto stats = StatsOf(program.genotype, program.environments);
   REQUIRE(stats);
   CHECK(StatsText(program.genotype, *stats) ==
@@ -42,7 +42,7 @@ rule 2: C if wet = True   -                              1x, 3 of 4 symbols, 2 m
 }
 
 TEST_CASE("Statistics as JSON have the same numbers", "[stats_text]") {
-  const Program program = test::CompileText(kText);
+  const Program program = test::CompileText(kRenderedText);
   const auto stats = StatsOf(program.genotype, program.environments);
   const auto json =
       nlohmann::json::parse(StatsJson("a.pls", program.genotype, *stats));

@@ -7,7 +7,7 @@
 namespace plsc {
 namespace {
 
-MappedProgram Mapped(const std::string& rest) {
+MappedProgram MappedTarget(const std::string& rest) {
   const auto mapped = CompileWithMap(
       Source("test", "plsc 1\nalphabet plasticoding 1\niterations 1\n" + rest));
   REQUIRE(mapped);
@@ -16,7 +16,7 @@ MappedProgram Mapped(const std::string& rest) {
 
 TEST_CASE("A target takes what develops the same, and nothing else",
           "[trim_target]") {
-  const MappedProgram mapped = Mapped(
+  const MappedProgram mapped = MappedTarget(
       "sense a: bool\nsense b: bool\n"
       "rule C -> if a = True or b = True then { C B add_left B }\n");
   const auto target = MakeTrimTarget(mapped);
@@ -43,7 +43,7 @@ TEST_CASE("A target takes what develops the same, and nothing else",
 }
 
 TEST_CASE("A target keeps passing tests", "[trim_target]") {
-  const MappedProgram mapped = Mapped(
+  const MappedProgram mapped = MappedTarget(
       "rule C -> { C B add_left B }\n"
       "test passes -> { C B add_left B }\ntest fails -> { C }\n");
   const auto target = MakeTrimTarget(mapped);
@@ -56,7 +56,7 @@ TEST_CASE("A target keeps passing tests", "[trim_target]") {
 
 TEST_CASE("A genotype that would outgrow its limit is no other",
           "[trim_target]") {
-  const MappedProgram mapped = Mapped(
+  const MappedProgram mapped = MappedTarget(
       "sense a: bool\nrule C -> { C B }\n"
       "rule B -> if a = True and a = False then { B B }\n");
   const auto target = MakeTrimTarget(mapped);

@@ -6,13 +6,13 @@
 namespace plsc {
 namespace {
 
-const std::string kHead =
+const std::string kTrimHead =
     "plsc 1\nalphabet plasticoding 1\nsense a: bool\nsense b: bool\n";
 
 // Without the pieces whose text is one of `out`.
 std::string Without(const std::string& rest,
                     const std::vector<std::string>& out) {
-  const Source source("test", kHead + rest);
+  const Source source("test", kTrimHead + rest);
   const auto mapped = CompileWithMap(source);
   REQUIRE(mapped);
   const Pieces pieces = PiecesOf({&*mapped, 1});
@@ -28,7 +28,7 @@ std::string Without(const std::string& rest,
   CHECK(found >= out.size());
   const std::string text = KeepText(source, {&*mapped, 1}, pieces, kept);
   CHECK(Compile(Source("after", text)));
-  return text.substr(kHead.size());
+  return text.substr(kTrimHead.size());
 }
 
 TEST_CASE("Text without its pieces is what a hand would leave", "[trim_text]") {

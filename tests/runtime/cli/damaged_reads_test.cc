@@ -18,7 +18,7 @@ namespace {
 using test::ReadFile;
 using test::RunPlsc;
 
-constexpr unsigned kSeed = 20261130;
+constexpr unsigned kDamageSeed = 20261130;
 
 void WriteBytes(const std::string& path, const std::string& bytes) {
   std::ofstream file(path, std::ios::binary | std::ios::trunc);
@@ -33,9 +33,9 @@ std::string Lasting(const std::string& text) {
   return std::regex_replace(std::regex_replace(text, made, ""), work, "");
 }
 
-using Commands = std::vector<std::vector<std::string>>;
+using CommandLines = std::vector<std::vector<std::string>>;
 
-Commands QuickOnes(const std::string& run, const std::string& folder) {
+CommandLines QuickOnes(const std::string& run, const std::string& folder) {
   return {{"show", run, "--verify"},
           {"show", run, "best"},
           {"show", run, "7", "--format", "json"},
@@ -47,7 +47,7 @@ Commands QuickOnes(const std::string& run, const std::string& folder) {
           {"report", run, "--verify", "--format", "json", "--quiet"}};
 }
 
-Commands SlowOnes(const std::string& run, const std::string& folder) {
+CommandLines SlowOnes(const std::string& run, const std::string& folder) {
   return {{"replay", run, "12"},
           {"view", run, "9", "-o", folder + "/view.html"}};
 }
@@ -73,13 +73,14 @@ std::optional<std::string> OutputOf(const std::vector<std::string>& arguments,
   return text;
 }
 
-void FlipBits(Commands (*commands_of)(const std::string&, const std::string&),
+void FlipBits(CommandLines (*commands_of)(const std::string&,
+                                          const std::string&),
               int times, unsigned seed) {
   const test::TemporaryFolder folder;
   const std::string run = folder / "run.sqlite";
   const std::string whole = ReadFile(test::FinishedRun().path());
   WriteBytes(run, whole);
-  const Commands commands = commands_of(run, folder.path().string());
+  const CommandLines commands = commands_of(run, folder.path().string());
   std::vector<std::string> expected;
   for (const auto& command : commands) {
     CAPTURE(command);
@@ -102,16 +103,16 @@ void FlipBits(Commands (*commands_of)(const std::string&, const std::string&),
 }
 
 TEST_CASE("No command passes on a flipped bit", "[damaged_reads]") {
-  FlipBits(QuickOnes, 25, kSeed);
+  FlipBits(QuickOnes, 25, kDamageSeed);
 }
 
 TEST_CASE("Nor do those that live a robot again", "[damaged_reads]") {
-  FlipBits(SlowOnes, 6, kSeed + 1);
+  FlipBits(SlowOnes, 6, kDamageSeed + 1);
 }
 
 TEST_CASE("Nor scores of them", "[damaged_reads][slow]") {
-  FlipBits(QuickOnes, 75, kSeed + 2);
-  FlipBits(SlowOnes, 15, kSeed + 3);
+  FlipBits(QuickOnes, 75, kDamageSeed + 2);
+  FlipBits(SlowOnes, 15, kDamageSeed + 3);
 }
 
 }  // namespace

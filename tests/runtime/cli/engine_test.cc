@@ -11,7 +11,7 @@
 namespace plsc {
 namespace {
 
-using nlohmann::json;
+using Json = nlohmann::json;
 using test::ReadFile;
 using test::RunPlsc;
 
@@ -112,7 +112,7 @@ TEST_CASE("a run says which engine it was asked for", "[engine]") {
   std::istringstream lines(RunPlsc({"export", run, "--jsonl"}).out);
   std::string line;
   std::getline(lines, line);
-  const json head = json::parse(line)["run"];
+  const Json head = Json::parse(line)["run"];
   CHECK(Has(head["experiment"], "engine: articulated\n"));
   CHECK(Has(head["scenario"], "engine: articulated\n"));
   SECTION("and goes on with no other") {
@@ -194,7 +194,7 @@ TEST_CASE("what shows a life tells its engine", "[engine]") {
       const auto ran = RunPlsc(arguments, test::kPlasticText);
       INFO(ran.err);
       REQUIRE(ran.exit == 0);
-      return json::parse(ran.out);
+      return Json::parse(ran.out);
     };
     CHECK(json_of({})["physics"]["engine"] == engine);
     CHECK(json_of({"--scenario",

@@ -38,20 +38,20 @@ struct Writer {
   bool is_in_folder = false;
 };
 
-constexpr const char* kScenario =
+constexpr const char* kOneSeason =
     "seasons:\n  - {name: flat, terrain: flat, duration: 1 s, senses: "
     "{inclined: False}}\n";
-constexpr const char* kRevolve =
+constexpr const char* kRevolveText =
     "{<Alphabet.CORE_COMPONENT: 'C'>: [[[['hill', '==', True]], "
     "[[<Alphabet.CORE_COMPONENT: 'C'>, []]]]]}";
 
-class World {
+class Outputs {
  public:
-  World()
+  Outputs()
       : robot_(folder_.Write("robot.pls", test::kPlasticText)),
-        scenario_(folder_.Write("s.yaml", kScenario)),
+        scenario_(folder_.Write("s.yaml", kOneSeason)),
         run_(test::FinishedRun().path()) {
-    folder_.Write("old.txt", kRevolve);
+    folder_.Write("old.txt", kRevolveText);
     REQUIRE(RunPlsc({"test", robot_, "--update"}).exit == 0);
   }
 
@@ -151,7 +151,7 @@ void Put(const std::string& path, const std::string& bytes) {
 }
 
 /// One file a kind, as people and commands make them.
-std::vector<Victim> Victims(World& world) {
+std::vector<Victim> Victims(Outputs& world) {
   std::vector<Victim> victims = {
       {"by hand", test::kPlasticText, true},
       {"experiment", test::kTinyExperiment, true},
@@ -163,7 +163,7 @@ std::vector<Victim> Victims(World& world) {
   for (const Writer& writer : world.Writers()) {
     if (!kinds.insert(writer.kind).second) continue;
     const std::string folder = world.Fresh();
-    const auto ran = World::Run(writer, folder, false);
+    const auto ran = Outputs::Run(writer, folder, false);
     CAPTURE(writer.kind, ran.err);
     REQUIRE(ran.exit == 0);
     victims.push_back(
@@ -179,7 +179,7 @@ bool IsReplaced(const std::string& path, const Victim& victim) {
 
 TEST_CASE("Commands replace what they made, and nothing else unasked",
           "[outputs]") {
-  World world;
+  Outputs world;
   const std::vector<Victim> victims = Victims(world);
   for (const Writer& writer : world.Writers()) {
     for (Victim victim : victims) {
@@ -196,7 +196,7 @@ TEST_CASE("Commands replace what they made, and nothing else unasked",
         const std::string file = is_linked ? folder + "/target" : path;
         Put(file, victim.bytes);
         if (is_linked) fs::create_symlink("target", path);
-        const auto ran = World::Run(writer, folder, false);
+        const auto ran = Outputs::Run(writer, folder, false);
         CHECK((ran.exit == 0) == is_own);
         CHECK(IsReplaced(file, victim) == is_own);
         CHECK(fs::is_symlink(path) == is_linked);
@@ -208,36 +208,36 @@ TEST_CASE("Commands replace what they made, and nothing else unasked",
 
 TEST_CASE("What is forced is done, but for runs and what is read",
           "[outputs]") {
-  World world;
+  Outputs world;
   for (const Writer& writer : world.Writers()) {
     INFO(writer.words[0] << " a " << writer.kind);
     const std::string folder = world.Fresh();
     const std::string path = folder + "/" + writer.file;
     const std::string by_hand = std::string(test::kPlasticText) + "# mine\n";
     Put(path, by_hand);
-    CHECK(World::Run(writer, folder, true).exit == 0);
+    CHECK(Outputs::Run(writer, folder, true).exit == 0);
     CHECK(ReadFile(path) != by_hand);
     const std::string store = ReadFile(world.run());
     Put(path, store);
-    CHECK(World::Run(writer, folder, true).exit != 0);
+    CHECK(Outputs::Run(writer, folder, true).exit != 0);
     CHECK(ReadFile(path) == store);
     fs::remove(path);
     fs::create_hard_link(world.robot(), path);
     const bool is_read = std::find(writer.words.begin(), writer.words.end(),
                                    world.robot()) != writer.words.end();
-    CHECK((World::Run(writer, folder, true).exit != 0) == is_read);
+    CHECK((Outputs::Run(writer, folder, true).exit != 0) == is_read);
     CHECK(ReadFile(world.robot()) == test::kPlasticText);
   }
 }
 
 TEST_CASE("Empty files, pipes and devices are written to", "[outputs]") {
-  World world;
+  Outputs world;
   for (const Writer& writer : world.Writers()) {
     INFO(writer.words[0] << " a " << writer.kind);
     const std::string folder = world.Fresh();
     const std::string path = folder + "/" + writer.file;
     Put(path, "");
-    CHECK(World::Run(writer, folder, false).exit == 0);
+    CHECK(Outputs::Run(writer, folder, false).exit == 0);
     CHECK_FALSE(ReadFile(path).empty());
 
     fs::remove_all(folder);
@@ -250,7 +250,7 @@ TEST_CASE("Empty files, pipes and devices are written to", "[outputs]") {
         piped = ReadFile(path);
         is_read = true;
       });
-      CHECK(World::Run(writer, folder, false).exit == 0);
+      CHECK(Outputs::Run(writer, folder, false).exit == 0);
       // Ends the reader of a pipe that nobody opened.
       while (!is_read) {
         const int end = ::open(path.c_str(), O_WRONLY | O_NONBLOCK);
@@ -264,13 +264,13 @@ TEST_CASE("Empty files, pipes and devices are written to", "[outputs]") {
     fs::remove_all(folder);
     fs::create_directory(folder);
     fs::create_symlink("/dev/null", path);
-    CHECK(World::Run(writer, folder, false).exit == 0);
+    CHECK(Outputs::Run(writer, folder, false).exit == 0);
     CHECK(fs::is_character_file("/dev/null"));
 
     fs::remove_all(folder);
     fs::create_directory(folder);
     fs::create_symlink("nowhere", path);
-    CHECK(World::Run(writer, folder, true).exit != 0);
+    CHECK(Outputs::Run(writer, folder, true).exit != 0);
     CHECK_FALSE(fs::exists(path));
     CHECK(fs::is_symlink(path));
   }
@@ -279,7 +279,7 @@ TEST_CASE("Empty files, pipes and devices are written to", "[outputs]") {
 // A command that writes files and is not here is seen by its --force.
 TEST_CASE("Every command that writes can be forced, and is tested",
           "[outputs]") {
-  World world;
+  Outputs world;
   std::set<std::string> tested = {"view"};  // without pages, too
   for (const Writer& writer : world.Writers())
     tested.insert(writer.words.front());

@@ -18,7 +18,7 @@
 namespace plsc {
 namespace {
 
-using nlohmann::json;
+using Json = nlohmann::json;
 using test::RunPlsc;
 using test::TemporaryFolder;
 
@@ -138,7 +138,7 @@ class Exports {
   std::string run_, season_;
 };
 
-void CheckJson(const json& robot, const DrawnRun& run, const Values& physics,
+void CheckJson(const Json& robot, const DrawnRun& run, const Values& physics,
                bool is_hill) {
   for (const auto& [name, value] : physics) {
     INFO(name);
@@ -147,14 +147,14 @@ void CheckJson(const json& robot, const DrawnRun& run, const Values& physics,
   CHECK(robot["physics"]["solver"] == "iterative");
   CHECK(robot["physics"]["solver_iterations"] == 33);
   CHECK(robot["physics"]["max_direct_links"] == 7);
-  const json& servo = robot["controller"]["servo"];
+  const Json& servo = robot["controller"]["servo"];
   for (const auto& [name, value] : run.servo) {
     INFO(name);
     CHECK(servo[name] == std::stod(value));
   }
   CHECK(servo["refresh"] == "late");
   CHECK(robot["controller"]["controller"] == "open_loop");
-  for (const json& joint : robot["joints"]) {
+  for (const Json& joint : robot["joints"]) {
     CHECK(joint["upper"] == std::stod(run.servo.at("range")));
     CHECK(joint["actuator"]["max_torque"] ==
           std::stod(run.servo.at("max_torque")));
@@ -205,7 +205,7 @@ void CheckTexts(const Exports& exports, const DrawnRun& run,
     CHECK(Holds(header, "_" + name + " = " + value));
   CHECK(Holds(header, "plsc ran `controller: open_loop`"));
   CHECK(Holds(header, "refresh: late"));
-  const json controller = json::parse(exports.As("controller-json"));
+  const Json controller = Json::parse(exports.As("controller-json"));
   for (const auto& [name, value] : run.servo)
     CHECK(controller["servo"][name] == std::stod(value));
   for (const char* format : {"urdf", "yaml"}) {
@@ -218,10 +218,10 @@ void CheckTexts(const Exports& exports, const DrawnRun& run,
 }
 
 /// Modules but sensors, by number.
-std::set<std::string> ModulesOf(const json& robot) {
+std::set<std::string> ModulesOf(const Json& robot) {
   std::set<std::string> modules;
-  for (const json& link : robot["links"])
-    for (const json& box : link["boxes"])
+  for (const Json& link : robot["links"])
+    for (const Json& box : link["boxes"])
       if (box["part"] != "sensor")
         modules.insert(box["module"].get<std::string>());
   return modules;
@@ -229,15 +229,15 @@ std::set<std::string> ModulesOf(const json& robot) {
 
 /// What the other commands say of the robot, against what the run has stored.
 void CheckCommands(const std::string& run, const DrawnRun& drawn,
-                   const json& stored, const TemporaryFolder& folder) {
+                   const Json& stored, const TemporaryFolder& folder) {
   const auto lived = RunPlsc({"simulate", run, "1", "--format", "json",
                               "--trajectory", folder / "samples"});
   INFO(lived.err);
   std::istringstream lines(lived.out);
-  for (const json& season : stored["seasons"]) {
+  for (const Json& season : stored["seasons"]) {
     std::string line;
     REQUIRE(std::getline(lines, line));
-    const json now = json::parse(line);
+    const Json now = Json::parse(line);
     CHECK(now["state_hash"] == season["state_hash"]);
     CHECK(now["fitness"] == season["fitness"]);
   }
@@ -257,13 +257,13 @@ void CheckCommands(const std::string& run, const DrawnRun& drawn,
 }
 
 void CheckSeason(const std::string& run, const DrawnRun& drawn,
-                 const json& season) {
+                 const Json& season) {
   const std::string name = season["season"];
   INFO(name);
   Values physics = drawn.physics;
   if (name == "hill") physics["friction"] = drawn.friction;
   const Exports exports(run, name);
-  const json robot = json::parse(exports.As("json"));
+  const Json robot = Json::parse(exports.As("json"));
   CheckJson(robot, drawn, physics, name == "hill");
   CheckTexts(exports, drawn, physics);
   const std::set<std::string> modules = ModulesOf(robot);
@@ -297,10 +297,10 @@ TEST_CASE("A robot of a run goes nowhere without the run's constants",
                                   "-o", run, "--quiet", "--jobs", "1"});
     INFO(evolved.err);
     REQUIRE(evolved.exit == 0);
-    const json stored =
-        json::parse(RunPlsc({"show", run, "1", "--format", "json"}).out);
+    const Json stored =
+        Json::parse(RunPlsc({"show", run, "1", "--format", "json"}).out);
     REQUIRE(stored["seasons"].size() == 2);
-    for (const json& season : stored["seasons"])
+    for (const Json& season : stored["seasons"])
       CheckSeason(run, drawn, season);
     CheckCommands(run, drawn, stored, folder);
   }

@@ -11,7 +11,7 @@ Body BodyOf(const std::string& symbols) {
   return test::GrowProduction(symbols).trace().phenotype.body;
 }
 
-std::string Marks(const BodyDifference& difference) {
+std::string BodyMarks(const BodyDifference& difference) {
   std::string text;
   for (const ModuleMark mark : difference.marks)
     text += mark == ModuleMark::kShared ? 's'
@@ -55,7 +55,7 @@ TEST_CASE("modules are compared by their place, kind and roll",
     DYNAMIC_SECTION(row.why) {
       const BodyDifference difference =
           CompareBodies(BodyOf(row.reference), BodyOf(row.body));
-      CHECK(Marks(difference) == row.marks);
+      CHECK(BodyMarks(difference) == row.marks);
       CHECK(difference.missing == row.missing);
     }
   }

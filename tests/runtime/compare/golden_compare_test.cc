@@ -8,9 +8,9 @@
 namespace plsc {
 namespace {
 
-std::vector<std::string> Reported(const Observation& expected,
-                                  const Observation& found,
-                                  double tolerance = 1e-9) {
+std::vector<std::string> ReportedLines(const Observation& expected,
+                                       const Observation& found,
+                                       double tolerance = 1e-9) {
   std::vector<std::string> lines;
   for (const Difference& difference : Compare(expected, found, tolerance))
     lines.push_back(Describe(difference));
@@ -74,7 +74,7 @@ TEST_CASE("Compare says what differs, in words", "[golden]") {
     DYNAMIC_SECTION(row.why) {
       Observation found = test::GoldenSample();
       row.change(found);
-      CHECK(Reported(test::GoldenSample(), found) == row.told);
+      CHECK(ReportedLines(test::GoldenSample(), found) == row.told);
     }
   }
 }
@@ -83,7 +83,7 @@ TEST_CASE("long differences of strings are shortened", "[golden]") {
   Observation found = test::GoldenSample();
   found.string.symbols.assign(40, "loop(1)");
   found.string.length = 40;
-  CHECK(Reported(test::GoldenSample(), found)[0] ==
+  CHECK(ReportedLines(test::GoldenSample(), found)[0] ==
         "string at symbol 1: expected C add_front B T(0.75), found loop(1) "
         "loop(1) loop(1) loop(1) loop(1) loop(1) ... (40 symbols)");
 }
@@ -94,13 +94,13 @@ TEST_CASE("strings beyond what is written out are compared by hash",
   expected.string.length = 900;
   expected.string.hash = "00000000000000aa";
   Observation found = expected;
-  CHECK(Reported(expected, found).empty());
+  CHECK(ReportedLines(expected, found).empty());
   found.string.hash = "00000000000000bb";
-  CHECK(Reported(expected, found) ==
+  CHECK(ReportedLines(expected, found) ==
         std::vector<std::string>{"hash of the string: expected "
                                  "00000000000000aa, found 00000000000000bb"});
   found.string.length = 901;
-  CHECK(Reported(expected, found) ==
+  CHECK(ReportedLines(expected, found) ==
         std::vector<std::string>{
             "length of the string: expected 900, found 901"});
 }
@@ -109,21 +109,21 @@ TEST_CASE("the tolerance is for descriptors only", "[golden]") {
   const Observation expected = test::GoldenSample();
   Observation found = expected;
   found.robot->body_descriptors[0].second += 1e-10;
-  CHECK(Reported(expected, found).empty());
-  CHECK(Reported(expected, found, 0).size() == 1);
+  CHECK(ReportedLines(expected, found).empty());
+  CHECK(ReportedLines(expected, found, 0).size() == 1);
   found.robot->body_descriptors[0].second += 1e-8;
-  CHECK(Reported(expected, found).size() == 1);
+  CHECK(ReportedLines(expected, found).size() == 1);
   SECTION("it is relative above 1") {
     found = expected;
     found.robot->body_descriptors[1].second += 4e-9;
-    CHECK(Reported(expected, found).empty());
+    CHECK(ReportedLines(expected, found).empty());
     found.robot->body_descriptors[1].second += 4e-9;
-    CHECK(Reported(expected, found).size() == 1);
+    CHECK(ReportedLines(expected, found).size() == 1);
   }
   SECTION("weights are exact") {
     found = expected;
     found.robot->nodes[0].weight += 1e-15;
-    CHECK(Reported(expected, found).size() == 1);
+    CHECK(ReportedLines(expected, found).size() == 1);
   }
 }
 

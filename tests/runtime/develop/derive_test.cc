@@ -16,7 +16,7 @@ std::string Text(const Genotype& genotype, const SymbolString& string) {
   return text;
 }
 
-std::string Derived(const Genotype& genotype) {
+std::string DerivedText(const Genotype& genotype) {
   return Text(genotype, *Derive(genotype, Regulate(genotype, {})));
 }
 
@@ -33,9 +33,11 @@ TEST_CASE("the paper's didactic grammar derives as printed there", "[derive]") {
 }
 
 TEST_CASE("a symbol without an active rule stays", "[derive]") {
-  CHECK(Derived(test::Didactic("iterations 2\nrule X -> { Y a }\n")) == "Y a");
-  CHECK(Derived(test::Didactic("iterations 0\nrule X -> { Y a }\n")) == "X");
-  CHECK(Derived(test::Didactic("iterations 5\nrule Y -> { a }\n")) == "X");
+  CHECK(DerivedText(test::Didactic("iterations 2\nrule X -> { Y a }\n")) ==
+        "Y a");
+  CHECK(DerivedText(test::Didactic("iterations 0\nrule X -> { Y a }\n")) ==
+        "X");
+  CHECK(DerivedText(test::Didactic("iterations 5\nrule Y -> { a }\n")) == "X");
 }
 
 TEST_CASE("every symbol knows the rule and the place that wrote it",

@@ -11,7 +11,7 @@ namespace {
 
 using nlohmann::json;
 
-Eigen::Vector3d VectorOf(const json& numbers) {
+Eigen::Vector3d VectorIn(const json& numbers) {
   return {numbers.at(0).get<double>(), numbers.at(1).get<double>(),
           numbers.at(2).get<double>()};
 }
@@ -19,7 +19,7 @@ Eigen::Vector3d VectorOf(const json& numbers) {
 Eigen::Matrix3d MatrixOf(const json& rows) {
   Eigen::Matrix3d matrix;
   for (int i = 0; i < 3; ++i)
-    matrix.row(i) = VectorOf(rows.at(static_cast<std::size_t>(i)));
+    matrix.row(i) = VectorIn(rows.at(static_cast<std::size_t>(i)));
   return matrix;
 }
 
@@ -28,17 +28,17 @@ test::ReadRobot Read(const json& file) {
   for (const json& link : file["links"]) {
     test::ReadLink& one = read.links[link["name"]];
     one.mass = link["mass"];
-    one.centre = VectorOf(link["centre_of_mass"]);
+    one.centre = VectorIn(link["centre_of_mass"]);
     one.inertia = MatrixOf(link["inertia"]);
     for (const json& box : link["boxes"])
-      one.boxes[box["name"]] = {VectorOf(box["centre"]), MatrixOf(box["axes"]),
-                                VectorOf(box["size"])};
+      one.boxes[box["name"]] = {VectorIn(box["centre"]), MatrixOf(box["axes"]),
+                                VectorIn(box["size"])};
   }
   for (const json& joint : file["joints"])
     read.joints[joint["name"]] = {joint["parent"],
                                   joint["child"],
-                                  VectorOf(joint["anchor"]),
-                                  VectorOf(joint["axis"]),
+                                  VectorIn(joint["anchor"]),
+                                  VectorIn(joint["axis"]),
                                   joint["lower"],
                                   joint["upper"],
                                   joint["actuator"]["max_torque"],
@@ -58,7 +58,7 @@ TEST_CASE("The JSON holds the robot that plsc simulates", "[robot_json]") {
     CHECK(file["plsc_robot"] == 1);
     CHECK(file["name"] == model.name);
     CHECK(file["mass"] == TotalMass(model.assembly));
-    CHECK(VectorOf(file["start"]["position"]) == model.start.position);
+    CHECK(VectorIn(file["start"]["position"]) == model.start.position);
     CHECK(file["never_collide"].size() == model.joints.size());
     CHECK(file["controller"]["joints"] == model.joints);
   }
@@ -82,7 +82,7 @@ TEST_CASE("Numbers of the JSON are those simulated, bit for bit",
   for (std::size_t i = 0; i < cross.links.size(); ++i) {
     const Link& link = cross.assembly.links[i];
     CHECK(file["links"][i]["mass"] == link.mass);
-    CHECK(VectorOf(file["links"][i]["centre_of_mass"]) == link.centre);
+    CHECK(VectorIn(file["links"][i]["centre_of_mass"]) == link.centre);
     CHECK(MatrixOf(file["links"][i]["inertia"]) == link.inertia);
   }
 }

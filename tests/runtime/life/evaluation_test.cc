@@ -145,7 +145,7 @@ TEST_CASE("A robot that cannot live has an outcome and no fitness",
 
 namespace {
 
-const char* const kPlastic =
+const char* const kPlasticLife =
     "sense inclined: bool\n"
     "iterations 1\n"
     "rule C -> { C add_front A2(0.5, 4, 2, 1) move_front add_front B }\n"
@@ -156,7 +156,8 @@ const char* const kPlastic =
 TEST_CASE("A season may give what the robot would feel", "[evaluation]") {
   Scenario scenario = ShortScenario();
   scenario.seasons[1].senses["inclined"] = "False";
-  const SeasonResult tilted = Evaluate(Robot(kPlastic), scenario).seasons[1];
+  const SeasonResult tilted =
+      Evaluate(Robot(kPlasticLife), scenario).seasons[1];
   CHECK(tilted.sensed ==
         std::vector<SensedState>{{"inclined", "False", SenseSource::kSeason}});
   CHECK_FALSE(tilted.inclination);
@@ -167,7 +168,8 @@ TEST_CASE("A season may give what the robot would feel", "[evaluation]") {
 TEST_CASE("What is felt depends on the threshold", "[evaluation]") {
   Scenario scenario = ShortScenario();
   scenario.imu.threshold = 0.2;
-  const SeasonResult tilted = Evaluate(Robot(kPlastic), scenario).seasons[1];
+  const SeasonResult tilted =
+      Evaluate(Robot(kPlasticLife), scenario).seasons[1];
   CHECK(tilted.sensed[0].value == "False");
   CHECK(tilted.change == Change::kNone);
   CHECK(tilted.change_reason == "senses as before");
@@ -181,7 +183,7 @@ TEST_CASE("In one life the robot changes where it stands", "[evaluation]") {
   Season still = again;
   still.name = "still";
   scenario.seasons.insert(scenario.seasons.end(), {again, still});
-  const Genotype genotype = Robot(kPlastic);
+  const Genotype genotype = Robot(kPlasticLife);
   Life life(genotype, scenario);
   std::vector<SeasonLife> lived;
   while (!life.is_over()) lived.push_back(life.Next());
@@ -216,7 +218,7 @@ TEST_CASE("In one life the robot changes where it stands", "[evaluation]") {
 TEST_CASE("A life that ends is not lived on", "[evaluation]") {
   Scenario scenario = ShortScenario();
   scenario.seasons[0].physics.max_speed = 1e-3;
-  const Genotype genotype = Robot(kPlastic);
+  const Genotype genotype = Robot(kPlasticLife);
   CHECK(Evaluate(genotype, scenario).seasons[1].outcome == Outcome::kCompleted);
   scenario.lives = Lives::kContinuous;
   const Evaluation evaluation = Evaluate(genotype, scenario);

@@ -13,7 +13,7 @@ namespace plsc {
 
 namespace {
 
-constexpr const char* kPlastic =
+constexpr const char* kPlasticSeasons =
     "sense inclined: bool\n"
     "iterations 1\n"
     "rule C -> if inclined = False then { C add_front A2(0.5, 4, 2, 1) "
@@ -21,24 +21,24 @@ constexpr const char* kPlastic =
     "rule C -> if inclined = True then { C add_left B add_right B }\n";
 
 // Felt on both sides of the threshold of 2.5 degrees, rad.
-constexpr double kLevel = 0;
-constexpr double kSlope = 0.087;
+constexpr double kLevelSeason = 0;
+constexpr double kSlopeSeason = 0.087;
 
 }  // namespace
 
 TEST_CASE("A season is developed from what is felt", "[season_developer]") {
-  const Genotype genotype = test::Robot(kPlastic);
+  const Genotype genotype = test::Robot(kPlasticSeasons);
   const Scenario scenario = PaperScenario();
   const Senses nothing;
   SeasonDeveloper seasons(genotype, scenario, nothing);
   REQUIRE(seasons.AsksImu());
-  const DevelopedSeason flat = seasons.Next(0, kLevel);
+  const DevelopedSeason flat = seasons.Next(0, kLevelSeason);
   CHECK(flat.result.season == "flat");
   CHECK(flat.result.sensed ==
         std::vector<SensedState>{{"inclined", "False", SenseSource::kImu}});
   CHECK(flat.result.body.absolute_size == 3);
   CHECK(flat.result.change == Change::kBorn);
-  const DevelopedSeason tilted = seasons.Next(50, kSlope);
+  const DevelopedSeason tilted = seasons.Next(50, kSlopeSeason);
   CHECK(tilted.result.begin == 50);
   CHECK(tilted.result.sensed[0].value == "True");
   CHECK(tilted.result.change == Change::kBody);
@@ -50,12 +50,12 @@ TEST_CASE("A season is developed from what is felt", "[season_developer]") {
 
 TEST_CASE("Robots that develop at birth only keep body and brain",
           "[season_developer]") {
-  const Genotype genotype = test::Robot(kPlastic);
+  const Genotype genotype = test::Robot(kPlasticSeasons);
   Scenario scenario = PaperScenario();
   scenario.plasticity = Plasticity::kMorphogenesis;
   const Senses nothing;
   SeasonDeveloper seasons(genotype, scenario, nothing);
-  const DevelopedSeason flat = seasons.Next(0, kLevel);
+  const DevelopedSeason flat = seasons.Next(0, kLevelSeason);
   CHECK_FALSE(seasons.AsksImu());
   const DevelopedSeason tilted = seasons.Next(0, std::nullopt);
   CHECK(tilted.robot == flat.robot);
@@ -66,7 +66,7 @@ TEST_CASE("Robots that develop at birth only keep body and brain",
 
 TEST_CASE("What is inherited goes before the senses of the first season",
           "[season_developer]") {
-  const Genotype genotype = test::Robot(kPlastic);
+  const Genotype genotype = test::Robot(kPlasticSeasons);
   const Scenario scenario = PaperScenario();
   const Senses inherited = {{"inclined", "True"}};
   SeasonDeveloper seasons(genotype, scenario, inherited);
@@ -78,7 +78,7 @@ TEST_CASE("What is inherited goes before the senses of the first season",
   CHECK(flat.result.body.brick_count == 2);
   // Later it senses for itself.
   REQUIRE(seasons.AsksImu());
-  CHECK(seasons.Next(0, kLevel).result.change == Change::kBody);
+  CHECK(seasons.Next(0, kLevelSeason).result.change == Change::kBody);
 }
 
 TEST_CASE("Where nothing develops the outcome says so", "[season_developer]") {

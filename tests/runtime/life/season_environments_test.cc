@@ -10,7 +10,7 @@ namespace {
 
 using Environments = std::vector<NamedEnvironment>;
 
-constexpr const char* kPlastic =
+constexpr const char* kPlasticRobot =
     "sense hot: bool\nsense inclined: bool\niterations 1\n"
     "rule C -> if inclined = False then { C add_front B }\n"
     "rule C -> if inclined = True and hot = True then { C add_left B }\n";
@@ -30,7 +30,7 @@ Scenario Hills() {
 
 TEST_CASE("Seasons are environments, by what is felt and what is told",
           "[season_environments]") {
-  const Genotype genotype = test::Robot(kPlastic);
+  const Genotype genotype = test::Robot(kPlasticRobot);
   const Environments expected = {
       {"flat", kLevel}, {"tilted", kSlope}, {"desert", kHotSlope}};
   CHECK(SeasonEnvironments(genotype, Hills()) == expected);
@@ -42,7 +42,7 @@ TEST_CASE("Who develops at birth has one environment",
   Scenario scenario = Hills();
   scenario.plasticity = Plasticity::kMorphogenesis;
   for (const NamedEnvironment& one :
-       PossibleEnvironments(test::Robot(kPlastic), scenario))
+       PossibleEnvironments(test::Robot(kPlasticRobot), scenario))
     CHECK(one.environment == kLevel);
 }
 
@@ -50,7 +50,7 @@ TEST_CASE("Who lives on may feel otherwise where it has come to",
           "[season_environments]") {
   Scenario scenario = Hills();
   scenario.lives = Lives::kContinuous;
-  const Genotype genotype = test::Robot(kPlastic);
+  const Genotype genotype = test::Robot(kPlasticRobot);
   CHECK(PossibleEnvironments(genotype, scenario) ==
         Environments{{"flat", kLevel},
                      {"tilted, level", kLevel},

@@ -21,16 +21,16 @@ std::vector<std::string> Hints(const std::string& text,
   return shown;
 }
 
-using Lines = std::vector<std::string>;
+using HintLines = std::vector<std::string>;
 
 }  // namespace
 
 TEST_CASE("Rules are marked in the chosen environment", "[lsp]") {
-  CHECK(Hints(kGecko, "") ==
-        Lines{"10:36 active, joined 1 of 2", "15:70 active, joined 2 of 2"});
-  CHECK(Hints(kGecko, "tilted") == Lines{"10:36 inactive", "15:70 active"});
+  CHECK(Hints(kGecko, "") == HintLines{"10:36 active, joined 1 of 2",
+                                       "15:70 active, joined 2 of 2"});
+  CHECK(Hints(kGecko, "tilted") == HintLines{"10:36 inactive", "15:70 active"});
   CHECK(Hints(kGecko, "inclined=False,warmth=0,ground=wet") ==
-        Lines{"10:36 active", "15:70 inactive"});
+        HintLines{"10:36 active", "15:70 inactive"});
   CHECK(Hints(kGecko, "nowhere").empty());
 }
 
@@ -40,8 +40,8 @@ TEST_CASE("A rule without a clause is marked where others join it", "[lsp]") {
       "rule B -> { T(0.5) }\r\nrule B -> if a = True then { B } # why\n"
       "environment on { a = True }\nenvironment off { a = False }\n";
   CHECK(Hints(text, "on") ==
-        Lines{"3:20 active, joined 1 of 2", "4:38 active, joined 2 of 2"});
-  CHECK(Hints(text, "off") == Lines{"4:38 inactive"});
+        HintLines{"3:20 active, joined 1 of 2", "4:38 active, joined 2 of 2"});
+  CHECK(Hints(text, "off") == HintLines{"4:38 inactive"});
 }
 
 TEST_CASE("Each genotype has its own environments", "[lsp]") {
@@ -51,8 +51,8 @@ TEST_CASE("Each genotype has its own environments", "[lsp]") {
       "environment here { a = True }\n"
       "genotype two\nrule C -> if a = True then { C }\n"
       "environment there { a = False }\n";
-  CHECK(Hints(text, "") == Lines{"4:32 active", "7:32 inactive"});
-  CHECK(Hints(text, "there") == Lines{"7:32 inactive"});
+  CHECK(Hints(text, "") == HintLines{"4:32 active", "7:32 inactive"});
+  CHECK(Hints(text, "there") == HintLines{"7:32 inactive"});
 }
 
 TEST_CASE("Rules of a text that is broken elsewhere are marked", "[lsp]") {
@@ -60,7 +60,7 @@ TEST_CASE("Rules of a text that is broken elsewhere are marked", "[lsp]") {
       "plsc 1\nalphabet plasticoding 1\nsense a: bool\n"
       "rule C -> if a = True then { C }\nrule C -> if b = True then { C }\n"
       "environment on { a = True }\nrule B -> {\n";
-  CHECK(Hints(text, "") == Lines{"3:32 active"});
+  CHECK(Hints(text, "") == HintLines{"3:32 active"});
 }
 
 TEST_CASE("Hints say where and how many", "[lsp]") {

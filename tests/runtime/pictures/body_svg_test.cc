@@ -3,17 +3,10 @@
 #include <catch2/catch.hpp>
 
 #include "runtime/develop/body_turtle.h"
+#include "tests/runtime/pictures/count.h"
 
 namespace plsc {
 namespace {
-
-std::size_t Count(const std::string& text, const std::string& part) {
-  std::size_t count = 0;
-  for (std::size_t at = text.find(part); at != std::string::npos;
-       at = text.find(part, at + 1))
-    ++count;
-  return count;
-}
 
 TEST_CASE("every module of a body is drawn once", "[body_svg]") {
   BodyTurtle turtle(15, false);
@@ -23,10 +16,10 @@ TEST_CASE("every module of a body is drawn once", "[body_svg]") {
   REQUIRE(turtle.Mount(ModuleType::kTouchSensor));
   const std::string svg = BodySvg(turtle.body(), "two modules");
   // Background, two modules, a sensor; one dot; two names and two numbers.
-  CHECK(Count(svg, "<rect") == 4);
-  CHECK(Count(svg, "<circle") == 1);
-  CHECK(Count(svg, "class=\"name\"") == 2);
-  CHECK(Count(svg, ">two modules<") == 2);
+  CHECK(test::Count(svg, "<rect") == 4);
+  CHECK(test::Count(svg, "<circle") == 1);
+  CHECK(test::Count(svg, "class=\"name\"") == 2);
+  CHECK(test::Count(svg, ">two modules<") == 2);
   CHECK(svg.substr(0, 4) == "<svg");
   CHECK(svg.substr(svg.size() - 7) == "</svg>\n");
 }
@@ -34,9 +27,9 @@ TEST_CASE("every module of a body is drawn once", "[body_svg]") {
 TEST_CASE("a title is shown as text, whatever it holds", "[body_svg]") {
   const std::string svg =
       BodySvg(BodyTurtle(15, false).body(), "</svg><script>&\"\x01");
-  CHECK(Count(svg, "<script") == 0);
-  CHECK(Count(svg, "&lt;/svg&gt;&lt;script&gt;&amp;&quot;") == 2);
-  CHECK(Count(svg, "\x01") == 0);
+  CHECK(test::Count(svg, "<script") == 0);
+  CHECK(test::Count(svg, "&lt;/svg&gt;&lt;script&gt;&amp;&quot;") == 2);
+  CHECK(test::Count(svg, "\x01") == 0);
 }
 
 }  // namespace

@@ -1,17 +1,10 @@
 #include "runtime/pictures/map_view.h"
+#include "tests/runtime/pictures/count.h"
 
 #include <catch2/catch.hpp>
 
 namespace plsc {
 namespace {
-
-std::size_t Count(const std::string& text, const std::string& part) {
-  std::size_t count = 0;
-  for (std::size_t at = text.find(part); at != std::string::npos;
-       at = text.find(part, at + 1))
-    ++count;
-  return count;
-}
 
 TEST_CASE("a map has its centre in the middle and +y up", "[map_view]") {
   const MapView view{{1, 2}, 100, {10, 20}, 380};
@@ -33,11 +26,11 @@ TEST_CASE("the ground is drawn as far as it can be seen", "[map_view]") {
   CHECK(GroundSvg(terrain, view).empty());
   terrain.type = TerrainType::kSteps;
   terrain.steps = {0.01, 0.2, 100};  // at 0.2 and 0.4 m
-  CHECK(Count(GroundSvg(terrain, view), "<rect") == 2);
+  CHECK(test::Count(GroundSvg(terrain, view), "<rect") == 2);
   terrain.type = TerrainType::kRough;
-  CHECK(Count(GroundSvg(terrain, view), "<rect") == 19 * 19);
+  CHECK(test::Count(GroundSvg(terrain, view), "<rect") == 19 * 19);
   terrain.type = TerrainType::kObstacles;
-  const std::size_t boxes = Count(GroundSvg(terrain, view), "<rect");
+  const std::size_t boxes = test::Count(GroundSvg(terrain, view), "<rect");
   CHECK(boxes > 0);
   CHECK(boxes <= 25);  // squares of 0.3 m, and those that reach in
 

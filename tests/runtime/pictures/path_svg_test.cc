@@ -2,27 +2,20 @@
 
 #include <catch2/catch.hpp>
 
+#include "tests/runtime/pictures/count.h"
 #include "tests/runtime/recording/recorded.h"
 
 namespace plsc {
 namespace {
 
-std::size_t Count(const std::string& text, const std::string& part) {
-  std::size_t count = 0;
-  for (std::size_t at = text.find(part); at != std::string::npos;
-       at = text.find(part, at + 1))
-    ++count;
-  return count;
-}
-
 TEST_CASE("a picture has a square a season with both bodies", "[path_svg]") {
   const std::string svg = PathSvg(test::SmallRecording());
-  CHECK(Count(svg, "<clipPath") == 2);
+  CHECK(test::Count(svg, "<clipPath") == 2);
   // 6 boxes, in 2 seasons.
-  CHECK(Count(svg, "class=\"start\"") == 12);
-  CHECK(Count(svg, "class=\"end\"") == 12);
-  CHECK(Count(svg, "<polyline") > 0);
-  CHECK(Count(svg, "class=\"dot\"") == 3);  // 0 and 1 s; 0 s
+  CHECK(test::Count(svg, "class=\"start\"") == 12);
+  CHECK(test::Count(svg, "class=\"end\"") == 12);
+  CHECK(test::Count(svg, "<polyline") > 0);
+  CHECK(test::Count(svg, "class=\"dot\"") == 3);  // 0 and 1 s; 0 s
   CHECK(svg.find(">slope</text>") != std::string::npos);
   CHECK(svg.find("completed, speed ") != std::string::npos);
   CHECK(svg.find("uphill 5\u00b0") != std::string::npos);
@@ -40,11 +33,11 @@ TEST_CASE("seasons share a scale unless one would be a speck", "[path_svg]") {
       for (Eigen::Index i = 1; i < position.cols(); ++i) position(y, i) += way;
   };
   move(0.4);
-  CHECK(Count(PathSvg(recording), ">10 cm<") == 2);
+  CHECK(test::Count(PathSvg(recording), ">10 cm<") == 2);
   move(3.6);
   const std::string svg = PathSvg(recording);
-  CHECK(Count(svg, ">100 cm<") == 1);
-  CHECK(Count(svg, ">5 cm<") == 1);
+  CHECK(test::Count(svg, ">100 cm<") == 1);
+  CHECK(test::Count(svg, ">5 cm<") == 1);
 }
 
 TEST_CASE("names and reasons cannot break a picture", "[path_svg]") {
@@ -55,7 +48,7 @@ TEST_CASE("names and reasons cannot break a picture", "[path_svg]") {
   recording.seasons[1].outcome = Outcome::kUnstable;
   recording.seasons[1].reason = std::string(100, '<');
   const std::string svg = PathSvg(recording);
-  CHECK(Count(svg, "</svg>") == 1);
+  CHECK(test::Count(svg, "</svg>") == 1);
   CHECK(svg.find("&lt;&amp;&quot;&gt;") != std::string::npos);
   CHECK(svg.find("unstable: &lt;") != std::string::npos);
   CHECK(svg.find("&lt;...") != std::string::npos);  // shown shortened
@@ -69,9 +62,9 @@ TEST_CASE("what was not simulated is shown at rest", "[path_svg]") {
     season.outcome = Outcome::kNotReached;
   recording.seasons[0].body = RecordBody(test::SmallRobot().body);
   const std::string svg = PathSvg(recording);
-  CHECK(Count(svg, "not simulated") == 6);
-  CHECK(Count(svg, "class=\"start\"") == 6);
-  CHECK(Count(svg, "class=\"end\"") == 0);
+  CHECK(test::Count(svg, "not simulated") == 6);
+  CHECK(test::Count(svg, "class=\"start\"") == 6);
+  CHECK(test::Count(svg, "class=\"end\"") == 0);
   // Two rows: four seasons, then two.
   CHECK(svg.find("width=\"1620\"") != std::string::npos);
   CHECK(svg.find("nan") == std::string::npos);

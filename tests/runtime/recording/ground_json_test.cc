@@ -9,8 +9,6 @@
 namespace plsc {
 namespace {
 
-using nlohmann::json;
-
 /// A robot of one link that goes from `from` to `to`.
 RecordedSeason Moving(TerrainType type, const Eigen::Vector2d& from,
                       const Eigen::Vector2d& to) {
@@ -23,7 +21,7 @@ RecordedSeason Moving(TerrainType type, const Eigen::Vector2d& from,
   return season;
 }
 
-Eigen::MatrixXd Numbers(const json& track, const char* columns) {
+Eigen::MatrixXd Numbers(const nlohmann::json& track, const char* columns) {
   const auto numbers =
       DecodeTrack(track["data"].get<std::string>(), track["rows"].get<int>(),
                   track[columns].get<int>(), track["unit"]);
@@ -57,7 +55,8 @@ TEST_CASE("planes have no relief", "[ground_json]") {
 TEST_CASE("rough ground is told by its heights", "[ground_json]") {
   const RecordedSeason season =
       Moving(TerrainType::kRough, {0, 0}, {0.5, -0.3});
-  const json heights = json::parse(GroundJson(season))["heights"];
+  const nlohmann::json heights =
+      nlohmann::json::parse(GroundJson(season))["heights"];
   const Eigen::MatrixXd numbers = Numbers(heights, "columns");
   const HeightField field(season.terrain.rough);
   const double spacing = heights["spacing"];
@@ -76,7 +75,8 @@ TEST_CASE("rough ground is told by its heights", "[ground_json]") {
   SECTION("coarser where it would be too much") {
     RecordedSeason far = Moving(TerrainType::kRough, {0, 0}, {15, 12});
     far.terrain.rough.wavelength = 0.02;
-    const json coarse = json::parse(GroundJson(far))["heights"];
+    const nlohmann::json coarse =
+        nlohmann::json::parse(GroundJson(far))["heights"];
     CHECK(coarse["rows"].get<int>() * coarse["columns"].get<int>() <=
           kMaxHeights);
     CHECK(GroundJson(far).size() < 120000);
@@ -87,7 +87,7 @@ TEST_CASE("steps and obstacles are told as boxes", "[ground_json]") {
   RecordedSeason season = Moving(TerrainType::kSteps, {0, 0}, {0, 0.2});
   season.terrain.steps = {0.01, 0.5, 20};
   const Eigen::MatrixXd steps =
-      Numbers(json::parse(GroundJson(season))["boxes"], "samples");
+      Numbers(nlohmann::json::parse(GroundJson(season))["boxes"], "samples");
   REQUIRE(steps.rows() == 5);
   REQUIRE(steps.cols() == 3);  // at 0.5, 1 and 1.5 m, up to 1.7 m
   CHECK(steps(4, 0) == Approx(0.01));
@@ -98,7 +98,7 @@ TEST_CASE("steps and obstacles are told as boxes", "[ground_json]") {
 
   season.terrain.type = TerrainType::kObstacles;
   const Eigen::MatrixXd obstacles =
-      Numbers(json::parse(GroundJson(season))["boxes"], "samples");
+      Numbers(nlohmann::json::parse(GroundJson(season))["boxes"], "samples");
   CHECK(obstacles.cols() > 50);  // 3 m to 3.2 m of squares of 0.3 m
   CHECK(obstacles.row(2).maxCoeff() <= season.terrain.obstacles.size + 1e-4);
   CHECK(obstacles.row(4).maxCoeff() <= season.terrain.obstacles.height + 1e-4);
@@ -107,7 +107,7 @@ TEST_CASE("steps and obstacles are told as boxes", "[ground_json]") {
     season.terrain.obstacles.spacing = 0.004;
     season.terrain.obstacles.size = 0.003;
     const Eigen::MatrixXd many =
-        Numbers(json::parse(GroundJson(season))["boxes"], "samples");
+        Numbers(nlohmann::json::parse(GroundJson(season))["boxes"], "samples");
     CHECK(many.cols() <= kMaxBoxes);
     CHECK(many.cols() > kMaxBoxes / 4);  // none stands near the origin
   }

@@ -11,7 +11,7 @@ namespace plsc {
 namespace {
 
 /// Of a scenario of one season with that ground.
-std::string Errors(const std::string& terrain) {
+std::string TerrainErrors(const std::string& terrain) {
   const Source source("test.yaml", "seasons: [{terrain: " + terrain + "}]\n");
   const auto scenario = ParseScenario(source);
   return scenario ? "" : Render(scenario.diagnostics(), source, 0);
@@ -68,7 +68,7 @@ TEST_CASE("Mistakes in a ground are shown", "[terrain]") {
   };
   for (const Row& row : rows) {
     DYNAMIC_SECTION(row.why) {
-      const std::string errors = Errors(row.terrain);
+      const std::string errors = TerrainErrors(row.terrain);
       INFO(errors);
       CHECK(errors.find(row.part) != std::string::npos);
     }

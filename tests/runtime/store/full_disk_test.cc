@@ -23,7 +23,7 @@ namespace {
 using test::Recorder;
 using test::Scratch;
 
-const Recorder& TheRun() {
+const Recorder& SmallRun() {
   static const Recorder run = test::RecordRun(test::StoredExperiment());
   return run;
 }
@@ -32,7 +32,7 @@ const Recorder& TheRun() {
 std::string GoOn(RunStore& store) {
   auto saved = store.Load();
   if (!saved) return saved.error().text;
-  const Recorder& run = TheRun();
+  const Recorder& run = SmallRun();
   for (auto g = static_cast<std::size_t>(saved->generations);
        g < run.births.size(); ++g) {
     std::vector<Individual> born;
@@ -98,7 +98,7 @@ TEST_CASE("A full disk ends a run with its reason, and it goes on afterwards",
           "[full_disk]") {
   const Scratch scratch;
   const std::string path = scratch / "run";
-  TheRun();  // before the forks
+  SmallRun();  // before the forks
   int failures = 0;
   // From what does not hold an empty store to what holds half a run.
   for (const rlim_t limit : {10'000u, 60'000u, 200'000u, 300'000u, 400'000u}) {
@@ -120,7 +120,7 @@ TEST_CASE("A full file system ends a run with its reason", "[full_disk]") {
   const Scratch scratch;
   const std::string folder = scratch / "small";
   std::filesystem::create_directory(folder);
-  TheRun();
+  SmallRun();
   // Only root may, and not in every container.
   if (mount("none", folder.c_str(), "tmpfs", 0, "size=300k") != 0) {
     WARN("no file system could be mounted; nothing was tested");

@@ -21,7 +21,7 @@ namespace plsc {
 
 namespace {
 
-constexpr unsigned kSeed = 20261130;
+constexpr unsigned kReadSeed = 20261130;
 constexpr int kIds = 32;  // of a finished run
 
 std::string TextOf(const Individual& one) {
@@ -166,16 +166,16 @@ void FlipBits(int generations, int times, unsigned seed) {
 
 TEST_CASE("What is read of a finished run is what was written, or fails",
           "[reading]") {
-  FlipBits(5, 60, kSeed);
+  FlipBits(5, 60, kReadSeed);
 }
 
 TEST_CASE("Of a run under way, too", "[reading]") {
-  FlipBits(3, 60, kSeed + 1);
+  FlipBits(3, 60, kReadSeed + 1);
 }
 
 TEST_CASE("However many bits are tried", "[reading][slow]") {
-  FlipBits(5, 100, kSeed + 2);
-  FlipBits(3, 100, kSeed + 3);
+  FlipBits(5, 100, kReadSeed + 2);
+  FlipBits(3, 100, kReadSeed + 3);
 }
 
 }  // namespace plsc

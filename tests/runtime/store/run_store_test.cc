@@ -77,7 +77,7 @@ void CheckSame(const Individual& a, const Individual& b) {
   CheckSame(a.evaluation, b.evaluation);
 }
 
-std::string Dump(const std::string& path) {
+std::string DumpOf(const std::string& path) {
   auto dump = DumpResults(path);
   REQUIRE(dump);
   return *dump;
@@ -151,9 +151,9 @@ TEST_CASE("Result tables are equal whatever the order of evaluations",
               std::nullopt);
     REQUIRE(Report(TheRun(), store, order) == "");
     REQUIRE(store.Close() == std::nullopt);
-    CHECK(Dump(path) == Dump(scratch / "0"));
+    CHECK(DumpOf(path) == DumpOf(scratch / "0"));
   }
-  CHECK(Dump(scratch / "0").size() > 100000);
+  CHECK(DumpOf(scratch / "0").size() > 100000);
 }
 
 TEST_CASE("A run goes on where it was left", "[run_store]") {
@@ -204,7 +204,7 @@ TEST_CASE("Who is born otherwise than before does not go on", "[run_store]") {
   const Recorder& run = TheRun();
   std::vector<Individual> born(run.individuals.begin() + 8,
                                run.individuals.begin() + 14);
-  const std::string before = Dump(scratch / "run");
+  const std::string before = DumpOf(scratch / "run");
   CHECK(store.OnBirths(born, {}) == std::nullopt);
   SECTION("another genotype") {
     born[2].genotype.rules.front().production.push_back(
@@ -227,7 +227,7 @@ TEST_CASE("Who is born otherwise than before does not go on", "[run_store]") {
         std::string::npos);
   // It can be used still, and nothing was changed.
   CHECK(store.Find(11));
-  CHECK(Dump(scratch / "run") == before);
+  CHECK(DumpOf(scratch / "run") == before);
 }
 
 TEST_CASE("A simulation that ends otherwise than before is refused",
@@ -359,11 +359,11 @@ TEST_CASE("Sessions tell who worked on a run, beside its results",
   const Scratch scratch;
   RunStore store;
   REQUIRE(store.Create(scratch / "run", StoredExperiment()) == std::nullopt);
-  const std::string before = Dump(scratch / "run");
+  const std::string before = DumpOf(scratch / "run");
   REQUIRE(store.BeginSession({"2026-01-01T00:00:00Z", 2}) == std::nullopt);
   REQUIRE(store.EndSession({"2026-01-01T00:01:00Z", "stopped", 2, 10, 8, 12, 60,
                             118.5}) == std::nullopt);
-  CHECK(Dump(scratch / "run") == before);
+  CHECK(DumpOf(scratch / "run") == before);
 }
 
 TEST_CASE("A store is read while it is written", "[run_store]") {
@@ -376,7 +376,7 @@ TEST_CASE("A store is read while it is written", "[run_store]") {
   REQUIRE(Report(TheRun(), writer, 0, 2) == "");
   CHECK(reader.Status()->evaluations == 17);
   CHECK(reader.Load()->generations == 2);
-  CHECK(Dump(scratch / "run").size() > 10000);
+  CHECK(DumpOf(scratch / "run").size() > 10000);
   REQUIRE(writer.Close() == std::nullopt);
   CHECK(reader.Status()->generations == 2);
 }

@@ -3,10 +3,8 @@
 
 #include <signal.h>
 #include <sys/resource.h>
-#include <unistd.h>
 
 #include <catch2/catch.hpp>
-#include <filesystem>
 #include <fstream>
 #include <string>
 
@@ -17,27 +15,7 @@
 namespace plsc {
 namespace {
 
-/// A file name for one test, gone afterwards.
-class Scratch {
- public:
-  Scratch()
-      : path_((std::filesystem::temp_directory_path() /
-               ("plsc_shared_cache_" + std::to_string(getpid())))
-                  .string()) {
-    Remove();
-  }
-  ~Scratch() { Remove(); }
-  Scratch(const Scratch&) = delete;
-  Scratch& operator=(const Scratch&) = delete;
-  const std::string& path() const { return path_; }
-
- private:
-  void Remove() const {
-    for (const char* suffix : {"", "-wal", "-shm"})
-      std::filesystem::remove(path_ + suffix);
-  }
-  std::string path_;
-};
+using test::Scratch;
 
 Simulated Example() {
   Simulated example;
@@ -53,18 +31,18 @@ TEST_CASE("A cache finds what any run added, bit for bit", "[shared_cache]") {
   const Scratch scratch;
   {
     SharedCache cache;
-    REQUIRE_FALSE(cache.Open(scratch.path()));
+    REQUIRE_FALSE(cache.Open(scratch / "cache"));
     CHECK_FALSE(cache.Find({1, 2}));
     CHECK_FALSE(cache.Add({1, 2}, Example()));
     SharedCache other;  // at the same time
-    REQUIRE_FALSE(other.Open(scratch.path()));
+    REQUIRE_FALSE(other.Open(scratch / "cache"));
     CHECK(other.Find({1, 2}));
     CHECK_FALSE(other.Add({3, 4}, Example()));
     CHECK(cache.Find({3, 4}));
     CHECK_FALSE(cache.warning());
   }
   SharedCache cache;
-  REQUIRE_FALSE(cache.Open(scratch.path()));
+  REQUIRE_FALSE(cache.Open(scratch / "cache"));
   const auto found = cache.Find({1, 2});
   REQUIRE(found);
   CHECK(found->inclination == 0.1 + 0.2);
@@ -77,19 +55,19 @@ TEST_CASE("A cache finds what any run added, bit for bit", "[shared_cache]") {
 TEST_CASE("What another program simulated is not found", "[shared_cache]") {
   const Scratch scratch;
   SharedCache theirs;
-  REQUIRE_FALSE(theirs.Open(scratch.path(), "another engine"));
+  REQUIRE_FALSE(theirs.Open(scratch / "cache", "another engine"));
   CHECK_FALSE(theirs.Add({1, 2}, Example()));
   SharedCache ours;
-  REQUIRE_FALSE(ours.Open(scratch.path()));
+  REQUIRE_FALSE(ours.Open(scratch / "cache"));
   CHECK_FALSE(ours.Find({1, 2}));
 }
 
 TEST_CASE("What is no cache is refused, and stays as it is", "[shared_cache]") {
   const Scratch scratch;
-  std::ofstream(scratch.path()) << "a text that was here before";
+  std::ofstream(scratch / "cache") << "a text that was here before";
   SharedCache cache;
-  CHECK(cache.Open(scratch.path()));
-  std::ifstream file(scratch.path());
+  CHECK(cache.Open(scratch / "cache"));
+  std::ifstream file(scratch / "cache");
   std::string text;
   std::getline(file, text);
   CHECK(text == "a text that was here before");
@@ -101,7 +79,7 @@ TEST_CASE("A cache that cannot be written any more only warns",
           "[shared_cache]") {
   const Scratch scratch;
   SharedCache cache;
-  REQUIRE_FALSE(cache.Open(scratch.path()));
+  REQUIRE_FALSE(cache.Open(scratch / "cache"));
   CHECK_FALSE(cache.Add({1, 2}, Example()));
   // Files may not grow from here on, as on a full disk.
   struct rlimit before {};
@@ -173,11 +151,11 @@ std::string Flipped(std::string bytes, std::size_t bit) {
 
 void FlipBits(std::size_t every) {
   const Scratch scratch;
-  const std::string whole = FilledCache(scratch.path(), kEngine);
+  const std::string whole = FilledCache(scratch / "cache", kEngine);
   for (std::size_t bit = 0; bit < 8 * whole.size(); bit += every) {
     CAPTURE(bit);
-    test::WriteBytes(scratch.path(), Flipped(whole, bit));
-    UseDamaged(scratch.path());
+    test::WriteBytes(scratch / "cache", Flipped(whole, bit));
+    UseDamaged(scratch / "cache");
   }
 }
 
@@ -192,20 +170,20 @@ TEST_CASE("Nor does any other bit", "[shared_cache][slow]") {
 TEST_CASE("A damaged entry is dropped, told and simulated anew",
           "[shared_cache]") {
   const Scratch scratch;
-  std::string bytes = FilledCache(scratch.path());
+  std::string bytes = FilledCache(scratch / "cache");
   // The last digits of an entry's value, whatever they are.
   const std::size_t place = bytes.find(Hex(KeyOfNumber(3))) + 300;
   REQUIRE(place < bytes.size());
   bytes[place] = bytes[place] == '0' ? '1' : '0';
-  test::WriteBytes(scratch.path(), bytes);
+  test::WriteBytes(scratch / "cache", bytes);
   SharedCache cache;
-  REQUIRE_FALSE(cache.Open(scratch.path()));
+  REQUIRE_FALSE(cache.Open(scratch / "cache"));
   CHECK(cache.Find(KeyOfNumber(2)));
   CHECK_FALSE(cache.warning());
   CHECK_FALSE(cache.Find(KeyOfNumber(3)));
   CHECK_FALSE(cache.Find(KeyOfNumber(3)));  // gone, so not told again
   REQUIRE(cache.warning());
-  CHECK(*cache.warning() == "an entry of the cache '" + scratch.path() +
+  CHECK(*cache.warning() == "an entry of the cache '" + scratch / "cache" +
                                 "' was damaged, dropped and simulated anew");
   CHECK_FALSE(cache.Add(KeyOfNumber(3), Numbered(3)));
   CHECK(PackSimulated({cache.Find(KeyOfNumber(3)).value()}) ==
@@ -215,10 +193,10 @@ TEST_CASE("A damaged entry is dropped, told and simulated anew",
 TEST_CASE("An entry under another's key, or another program's, is no entry",
           "[shared_cache]") {
   const Scratch scratch;
-  FilledCache(scratch.path());
+  FilledCache(scratch / "cache");
   const auto change = [&](const std::string& sql) {
     Database database;
-    REQUIRE_FALSE(database.Open(scratch.path(), Database::Mode::kWrite));
+    REQUIRE_FALSE(database.Open(scratch / "cache", Database::Mode::kWrite));
     database.Run("PRAGMA foreign_keys = OFF;" + sql);
     REQUIRE_FALSE(database.TakeFailure());
   };
@@ -229,11 +207,11 @@ TEST_CASE("An entry under another's key, or another program's, is no entry",
          "UPDATE simulation SET engine = 9 WHERE key = '" +
          Hex(KeyOfNumber(4)) + "'");
   SharedCache ours;
-  REQUIRE_FALSE(ours.Open(scratch.path()));
+  REQUIRE_FALSE(ours.Open(scratch / "cache"));
   CHECK_FALSE(ours.Find(KeyOfNumber(1)));
   CHECK_FALSE(ours.Find(KeyOfNumber(4)));
   SharedCache theirs;
-  REQUIRE_FALSE(theirs.Open(scratch.path(), "theirs"));
+  REQUIRE_FALSE(theirs.Open(scratch / "cache", "theirs"));
   CHECK_FALSE(theirs.Find(KeyOfNumber(4)));
   CHECK(ours.Find(KeyOfNumber(5)));
 }
@@ -241,18 +219,18 @@ TEST_CASE("An entry under another's key, or another program's, is no entry",
 TEST_CASE("A cache without checksums is refused with what to do",
           "[shared_cache]") {
   const Scratch scratch;
-  FilledCache(scratch.path());
+  FilledCache(scratch / "cache");
   const auto failure_of = [&](int format) {
     {
       Database database;
-      REQUIRE_FALSE(database.Open(scratch.path(), Database::Mode::kWrite));
+      REQUIRE_FALSE(database.Open(scratch / "cache", Database::Mode::kWrite));
       database.Run("PRAGMA user_version = " + std::to_string(format));
       REQUIRE_FALSE(database.TakeFailure());
     }
-    const std::string before = test::ReadBytes(scratch.path());
+    const std::string before = test::ReadBytes(scratch / "cache");
     const std::string failure =
-        SharedCache().Open(scratch.path()).value_or("").text;
-    CHECK(test::ReadBytes(scratch.path()) == before);
+        SharedCache().Open(scratch / "cache").value_or("").text;
+    CHECK(test::ReadBytes(scratch / "cache") == before);
     return failure;
   };
   CHECK(failure_of(1).find("delete it, or name another file") !=
@@ -282,10 +260,10 @@ TEST_CASE("A run with a damaged cache ends as one without a cache",
   const std::string expected = ResultsOf(nullptr);
   {
     SharedCache cache;
-    REQUIRE_FALSE(cache.Open(scratch.path()));
+    REQUIRE_FALSE(cache.Open(scratch / "cache"));
     REQUIRE(ResultsOf(&cache) == expected);
   }
-  const std::string whole = test::ReadBytes(scratch.path());
+  const std::string whole = test::ReadBytes(scratch / "cache");
   int told = 0;
   // Bits spread over the file, each time hundreds of them in its entries.
   for (std::size_t first = 0; first < 12; ++first) {
@@ -294,9 +272,9 @@ TEST_CASE("A run with a damaged cache ends as one without a cache",
     for (std::size_t bit = 8 * 12288 + 311 * first; bit < 8 * bytes.size();
          bit += 8 * (900 + 31 * first))
       bytes = Flipped(std::move(bytes), bit);
-    test::WriteBytes(scratch.path(), bytes);
+    test::WriteBytes(scratch / "cache", bytes);
     SharedCache cache;
-    if (cache.Open(scratch.path())) continue;
+    if (cache.Open(scratch / "cache")) continue;
     CHECK(ResultsOf(&cache) == expected);
     told += cache.warning() ? 1 : 0;
   }

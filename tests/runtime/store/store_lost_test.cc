@@ -17,13 +17,13 @@ namespace {
 
 namespace fs = std::filesystem;
 using test::Scratch;
-using Files = std::vector<std::string>;
+using LostFiles = std::vector<std::string>;
 
 struct Loss {
   const char* what;
   std::function<void(const Scratch&)> lose;
   const char* lost;  ///< the file that is named
-  Files files;       ///< that are left in the end
+  LostFiles files;   ///< that are left in the end
 };
 
 const std::vector<Loss>& Losses() {
@@ -134,7 +134,7 @@ TEST_CASE("Of a new store that is given up nothing is left", "[store_lost]") {
   const std::string dump = *DumpResults(scratch / "run");
   REQUIRE(store.Open(scratch / "run") == std::nullopt);
   store.Discard();
-  CHECK(scratch.Files() == Files{"run"});
+  CHECK(scratch.Files() == LostFiles{"run"});
   CHECK(*DumpResults(scratch / "run") == dump);
 }
 

@@ -18,7 +18,7 @@ std::vector<std::string> NamesIn(const Study& study, std::string_view only,
   return names;
 }
 
-using Names = std::vector<std::string>;
+using SliceNames = std::vector<std::string>;
 
 }  // namespace
 
@@ -34,9 +34,9 @@ TEST_CASE("A shard is written K/N", "[slice]") {
 
 TEST_CASE("Shards take runs in turn, every run once", "[slice]") {
   Study study = test::SmallStudy();
-  CHECK(NamesIn(study, "", {1, 3}) == Names{"plastic/1", "baseline/2"});
-  CHECK(NamesIn(study, "", {2, 3}) == Names{"plastic/2"});
-  CHECK(NamesIn(study, "", {3, 3}) == Names{"baseline/1"});
+  CHECK(NamesIn(study, "", {1, 3}) == SliceNames{"plastic/1", "baseline/2"});
+  CHECK(NamesIn(study, "", {2, 3}) == SliceNames{"plastic/2"});
+  CHECK(NamesIn(study, "", {3, 3}) == SliceNames{"baseline/1"});
   CHECK(NamesIn(study, "", {5, 5}).empty());
   study.repetitions = 20;
   for (const int count : {1, 2, 3, 7, 8, 40}) {
@@ -56,11 +56,11 @@ TEST_CASE("Shards take runs in turn, every run once", "[slice]") {
 TEST_CASE("A slice is an experiment or a run by its name", "[slice]") {
   const Study study = test::SmallStudy();
   CHECK(NamesIn(study, "", {}).size() == 4);
-  CHECK(NamesIn(study, "plastic", {}) == Names{"plastic/1", "plastic/2"});
-  CHECK(NamesIn(study, "baseline/2", {}) == Names{"baseline/2"});
+  CHECK(NamesIn(study, "plastic", {}) == SliceNames{"plastic/1", "plastic/2"});
+  CHECK(NamesIn(study, "baseline/2", {}) == SliceNames{"baseline/2"});
   // The shard is one of the whole study, so that jobs that are given the same
   // shard and different names do not overlap either.
-  CHECK(NamesIn(study, "baseline", {1, 3}) == Names{"baseline/2"});
+  CHECK(NamesIn(study, "baseline", {1, 3}) == SliceNames{"baseline/2"});
 }
 
 TEST_CASE("A name that no run has is explained", "[slice]") {

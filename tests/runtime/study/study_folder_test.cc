@@ -19,7 +19,7 @@ namespace {
 using test::Scratch;
 using test::SmallStudy;
 
-using Names = std::vector<std::string>;
+using FolderNames = std::vector<std::string>;
 
 }  // namespace
 
@@ -130,7 +130,7 @@ TEST_CASE("Of many processes that begin at once, all agree on one study",
     REQUIRE(winner);
     CHECK(statuses[winner->seed] == 0);
     CHECK(statuses[1 - winner->seed] == 4);
-    Names files;
+    FolderNames files;
     for (const auto& entry : std::filesystem::directory_iterator(folder))
       files.push_back(entry.path().filename());
     CHECK(files.size() == 3);  // the study and two experiments

@@ -36,7 +36,7 @@ std::string WholeExperiment() {
   return text;
 }
 
-std::vector<Diagnostic> Errors(const std::string& text) {
+std::vector<Diagnostic> HelpErrors(const std::string& text) {
   const Source source("experiment.yaml", text);
   return ParseExperiment(source).diagnostics();
 }
@@ -85,7 +85,7 @@ std::vector<std::string> TyposOf(const std::string& word) {
 }
 
 TEST_CASE("The experiment that is tried is right", "[yaml][help]") {
-  const std::vector<Diagnostic> errors = Errors(WholeExperiment());
+  const std::vector<Diagnostic> errors = HelpErrors(WholeExperiment());
   INFO((errors.empty() ? "" : errors[0].message + errors[0].help));
   CHECK(errors.empty());
   CHECK(PairsOf(WholeExperiment()).size() > 90);
@@ -100,7 +100,7 @@ TEST_CASE("A misspelt key is one error, and its advice mends it",
     for (const std::string& typo : TyposOf(pair.key)) {
       const std::string wrong =
           Replaced(text, pair.key_at, pair.key.size(), typo);
-      const auto errors = Errors(wrong);
+      const auto errors = HelpErrors(wrong);
       INFO(pair.key << " as " << typo);
       REQUIRE(errors.size() == 1);
       const std::string advised = Advised(errors[0]);
@@ -110,7 +110,8 @@ TEST_CASE("A misspelt key is one error, and its advice mends it",
       CHECK(errors[0].span.begin == pair.key_at);
       REQUIRE(errors[0].fixes.size() == 1);
       CHECK(errors[0].fixes[0].replacement == advised);
-      CHECK(Errors(Replaced(wrong, pair.key_at, typo.size(), advised)).empty());
+      CHECK(HelpErrors(Replaced(wrong, pair.key_at, typo.size(), advised))
+                .empty());
     }
   }
 }
@@ -167,7 +168,7 @@ TEST_CASE("A wrong value is one error, and its advice is accepted",
       if (++tried % 2 == 0) continue;  // each is tried with other keys
       const std::string wrong =
           Replaced(text, pair.value_at, pair.value.size(), mistake);
-      const auto errors = Errors(wrong);
+      const auto errors = HelpErrors(wrong);
       INFO(pair.key << ": " << mistake << " for " << pair.value);
       if (errors.empty()) continue;
       INFO(errors[0].message << " / " << errors[0].help);
@@ -177,7 +178,7 @@ TEST_CASE("A wrong value is one error, and its advice is accepted",
       if (advised.empty()) continue;
       ++advices;
       const auto left =
-          Errors(Replaced(text, pair.value_at, pair.value.size(), advised));
+          HelpErrors(Replaced(text, pair.value_at, pair.value.size(), advised));
       INFO((left.empty() ? "" : left[0].message));
       // Another duration may not go with the rest of the file.
       CHECK((left.empty() ||
@@ -200,7 +201,7 @@ TEST_CASE("Units, percentages and quotes always get advice", "[yaml][help]") {
          {number + " kg", number + " %", "\"" + pair.value + "\""}) {
       INFO(pair.key << ": " << mistake);
       const auto errors =
-          Errors(Replaced(text, pair.value_at, pair.value.size(), mistake));
+          HelpErrors(Replaced(text, pair.value_at, pair.value.size(), mistake));
       REQUIRE(errors.size() == 1);
       INFO(errors[0].message << " / " << errors[0].help);
       if (pair.key.starts_with("plsc_") && errors[0].code == Code::kOutOfRange)
@@ -212,7 +213,7 @@ TEST_CASE("Units, percentages and quotes always get advice", "[yaml][help]") {
 
 TEST_CASE("A percentage is a share", "[yaml][help]") {
   const auto help = [](const std::string& text) {
-    const auto errors = Errors(text);
+    const auto errors = HelpErrors(text);
     return errors.size() == 1 ? errors[0].help : "";
   };
   CHECK(help("mutation: 80%\n") == "write '0.8'");
@@ -226,7 +227,7 @@ TEST_CASE("A percentage is a share", "[yaml][help]") {
 }
 
 TEST_CASE("A key that is there cannot be meant by another", "[yaml][help]") {
-  const auto errors = Errors("seeds: 1\nseed: 2\n");
+  const auto errors = HelpErrors("seeds: 1\nseed: 2\n");
   REQUIRE(errors.size() == 1);
   CHECK(errors[0].help.starts_with("known here: "));
   // Each key once, though some are asked for several times.

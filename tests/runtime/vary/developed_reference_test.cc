@@ -18,9 +18,9 @@ namespace plsc {
 
 namespace {
 
-constexpr std::uint64_t kGenotypes = 20000;
+constexpr std::uint64_t kDevelopedGenotypes = 20000;
 // Of the means of some 35 quantities of four kinds, which hang together.
-constexpr double kStandardErrors = 4;
+constexpr double kDevelopedErrors = 4;
 
 struct Developed {
   test::Tally tally;
@@ -48,7 +48,7 @@ void CountPhenotype(const Phenotype& robot, Developed& developed) {
 
 Developed DevelopAll(const GenotypeOptions& options, double inclined) {
   Developed developed;
-  for (std::uint64_t id = 0; id < kGenotypes; ++id) {
+  for (std::uint64_t id = 0; id < kDevelopedGenotypes; ++id) {
     Rng rng({9110, 0, id, Purpose::kInitialise});
     const Genotype genotype = Initialise(options, rng);
     Environment environment;
@@ -95,7 +95,7 @@ TEST_CASE("Fresh robots are as many-shaped as the authors'",
       for (const auto& [name, summary] : theirs.at("summaries").items()) {
         CAPTURE(name);
         REQUIRE(ours.values.contains(name));
-        CHECK(test::Apart(ours.values.at(name), summary) < kStandardErrors);
+        CHECK(test::Apart(ours.values.at(name), summary) < kDevelopedErrors);
       }
     }
   }
@@ -111,7 +111,7 @@ TEST_CASE("Robots of the other mounting rule are told from the authors'",
                              theirs.at("body_size_histogram")) <
         test::kSignificance);
   CHECK(test::Apart(ours.values.at("limbs"),
-                    theirs.at("summaries").at("limbs")) > kStandardErrors);
+                    theirs.at("summaries").at("limbs")) > kDevelopedErrors);
 }
 
 }  // namespace plsc

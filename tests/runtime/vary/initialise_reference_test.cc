@@ -23,20 +23,20 @@ using test::NormalCdf;
 using test::Tally;
 using test::UniformCdf;
 
-constexpr std::uint64_t kGenotypes = 20000;
+constexpr std::uint64_t kReferenceGenotypes = 20000;
 // Of a mean: one of the about 45 compared here would be further off in 1 of
 // 350 writings of this file.
 constexpr double kStandardErrors = 4;
 
 using Samples = std::map<std::string, std::vector<double>>;
 
-Genotype Sample(const GenotypeOptions& options, std::uint64_t id) {
+Genotype ReferenceSample(const GenotypeOptions& options, std::uint64_t id) {
   Rng rng({9101, 0, id, Purpose::kInitialise});
   return Initialise(options, rng);
 }
 
 // As many as the authors' summaries take.
-constexpr std::size_t kSamples = 50000;
+constexpr std::size_t kReferenceSamples = 50000;
 
 std::string CategoryName(Category category) {
   return "symbols " + std::to_string(static_cast<int>(category));
@@ -80,7 +80,7 @@ void CountSymbol(const Symbol& symbol, const Alphabet& alphabet, Tally& tally,
     if (info.parameters[i].is_integer)
       tally.Count(name, std::to_string(static_cast<int>(value)));
     else if (std::vector<double>& sample = samples[name];
-             sample.size() < kSamples)
+             sample.size() < kReferenceSamples)
       sample.push_back(value);
   }
 }
@@ -91,10 +91,10 @@ struct Drawn {
 };
 
 Drawn DrawAll(const GenotypeOptions& options,
-              std::uint64_t genotypes = kGenotypes) {
+              std::uint64_t genotypes = kReferenceGenotypes) {
   Drawn drawn;
   for (std::uint64_t id = 0; id < genotypes; ++id) {
-    const Genotype genotype = Sample(options, id);
+    const Genotype genotype = ReferenceSample(options, id);
     const std::size_t groups = genotype.rules.back().production.size() / 5;
     drawn.tally.Count("groups_per_genotype", std::to_string(groups));
     for (const Rule& rule : genotype.rules) {

@@ -16,7 +16,7 @@ namespace {
 using test::kSignificance;
 using test::PValue;
 
-constexpr int kSamples = 20000;
+constexpr int kClauseSamples = 20000;
 
 const State kInclined = {"inclined", StateType::kBool, 0, 0, {}};
 const State kHot = {"hot", StateType::kBool, 0, 0, {}};
@@ -47,7 +47,7 @@ std::map<std::string, int> Changes(const Clause& clause,
                                    const std::vector<State>& states,
                                    std::optional<int> max_terms) {
   std::map<std::string, int> counts;
-  for (int i = 0; i < kSamples; ++i) {
+  for (int i = 0; i < kClauseSamples; ++i) {
     Rng rng({9006, 0, static_cast<std::uint64_t>(i), Purpose::kMutate});
     ++counts[Text(ChangeClause(clause, states, max_terms, rng))];
   }
@@ -159,7 +159,7 @@ TEST_CASE("A term about a real state gets a fresh order and number",
   const Clause clause = {{{StateId{0}, Comparison::kGreater, 30.5}}, {}};
   std::vector<int> orders(4);
   std::vector<int> tenths(10);
-  for (int i = 0; i < kSamples; ++i) {
+  for (int i = 0; i < kClauseSamples; ++i) {
     Rng rng({9007, 0, static_cast<std::uint64_t>(i), Purpose::kMutate});
     const Clause child = ChangeClause(clause, {kTemperature}, 1, rng);
     REQUIRE(child.terms.size() == 1);
@@ -182,7 +182,7 @@ TEST_CASE("Clauses of fresh genotypes change as in the authors' program",
   const std::vector<int> two_terms = {825, 878, 862};
   std::vector<int> one(2);
   std::vector<int> two(3);
-  for (int i = 0; i < kSamples; ++i) {
+  for (int i = 0; i < kClauseSamples; ++i) {
     const auto id = static_cast<std::uint64_t>(i);
     Rng rng({9004, 0, id, Purpose::kInitialise});
     const Genotype parent = Initialise({}, rng);

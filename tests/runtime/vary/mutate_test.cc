@@ -15,7 +15,7 @@ namespace {
 using test::kSignificance;
 using test::PValue;
 
-constexpr int kSamples = 20000;
+constexpr int kMutations = 20000;
 
 /// A rule whose symbols all differ: T(0.00), T(0.01), ...; of C with C first.
 Rule Numbered(SymbolId head, std::size_t length) {
@@ -57,7 +57,7 @@ TEST_CASE("Kinds, symbols and rules to mutate are drawn evenly", "[mutate]") {
   std::vector<int> kinds(4);
   std::vector<int> rules(10);
   const Genotype genotype = Fresh(1);
-  for (int i = 0; i < kSamples; ++i) {
+  for (int i = 0; i < kMutations; ++i) {
     Rng rng = Stream(static_cast<std::uint64_t>(i));
     const Mutation mutation =
         DrawMutation(genotype, Encoding::kPlasticoding, rng);
@@ -68,7 +68,7 @@ TEST_CASE("Kinds, symbols and rules to mutate are drawn evenly", "[mutate]") {
   CHECK(PValue(rules, Even(10)) > kSignificance);
 
   std::vector<int> baseline_kinds(3);
-  for (int i = 0; i < kSamples; ++i) {
+  for (int i = 0; i < kMutations; ++i) {
     Rng rng = Stream(static_cast<std::uint64_t>(i));
     const Mutation mutation = DrawMutation(genotype, Encoding::kBaseline, rng);
     REQUIRE(mutation.kind != MutationKind::kClause);
@@ -84,7 +84,7 @@ TEST_CASE("A symbol is chosen before one of its rules", "[mutate]") {
       Numbered(plasticoding::kC, 3), Numbered(plasticoding::kB, 3),
       Numbered(plasticoding::kB, 3), Numbered(plasticoding::kB, 3)};
   std::vector<int> rules(4);
-  for (int i = 0; i < kSamples; ++i) {
+  for (int i = 0; i < kMutations; ++i) {
     Rng rng = Stream(static_cast<std::uint64_t>(i));
     ++rules[DrawMutation(genotype, Encoding::kBaseline, rng).rule];
   }
@@ -98,7 +98,7 @@ TEST_CASE("Deletions and swaps change a rule as often as the authors' do",
   const std::vector<int> swaps = {4325, 758};
   std::vector<int> deleted(2);
   std::vector<int> swapped(2);
-  for (int i = 0; i < kSamples; ++i) {
+  for (int i = 0; i < kMutations; ++i) {
     const auto id = static_cast<std::uint64_t>(i);
     const Genotype parent = Fresh(id);
     Rng rng = Stream(id);
@@ -118,7 +118,7 @@ TEST_CASE("Deletion takes any symbol but C, by its position", "[mutate]") {
   std::vector<int> places(7);
   const Rule of_core = Numbered(plasticoding::kC, 6);
   std::vector<int> core_places(6);  // 0: nothing deleted, as C was met
-  for (int i = 0; i < kSamples; ++i) {
+  for (int i = 0; i < kMutations; ++i) {
     Rng rng = Stream(static_cast<std::uint64_t>(i));
     const Rule child = DeleteSymbol(rule, rng);
     REQUIRE(child.production.size() == 6);
@@ -153,7 +153,7 @@ TEST_CASE("A swap exchanges two positions drawn independently", "[mutate]") {
   const std::size_t length = 5;
   const Rule rule = Numbered(plasticoding::kC, length);
   std::map<std::pair<std::size_t, std::size_t>, int> pairs;
-  for (int i = 0; i < kSamples; ++i) {
+  for (int i = 0; i < kMutations; ++i) {
     Rng rng = Stream(static_cast<std::uint64_t>(i));
     const Rule child = SwapSymbols(rule, rng);
     std::vector<std::size_t> moved;
@@ -188,7 +188,7 @@ TEST_CASE("Additions go anywhere, the end included, but not before C",
   const Rule lone_core = Numbered(plasticoding::kC, 1);
   std::vector<int> places(6);
   std::vector<int> core_places(5);
-  for (int i = 0; i < kSamples; ++i) {
+  for (int i = 0; i < kMutations; ++i) {
     Rng rng = Stream(static_cast<std::uint64_t>(i));
     const auto place = [&](const Rule& parent) {
       const Rule child = AddSymbol(parent, alphabet, rng);
@@ -217,7 +217,7 @@ TEST_CASE("Added symbols are distributed as the authors' program draws them",
                                    154, 180, 158, 175, 140};
   const Rule parent = Numbered(plasticoding::kC, 1);
   std::vector<int> ours(theirs.size());
-  for (int i = 0; i < kSamples; ++i) {
+  for (int i = 0; i < kMutations; ++i) {
     Rng rng = Stream(static_cast<std::uint64_t>(i));
     const Rule child = AddSymbol(parent, *PlasticodingAlphabet(), rng);
     const auto id = static_cast<std::size_t>(child.production[1].id);

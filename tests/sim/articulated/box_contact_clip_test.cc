@@ -2,7 +2,6 @@
 // the exact overlap of the two faces that meet.
 
 #include <algorithm>
-#include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
@@ -10,6 +9,7 @@
 
 #include "tests/sim/articulated/box_oracle.h"
 #include "tests/sim/articulated/random_boxes.h"
+#include "tests/sim/articulated/touch.h"
 
 namespace plsc {
 namespace {
@@ -19,22 +19,11 @@ using test::DeepPoint;
 using test::FaceOverlap;
 using test::Real;
 using test::ShadowAxis;
+using test::Touch;
+using test::TouchOf;
 
 constexpr std::uint64_t kSeed = 21;
 constexpr int kPoses = 100000;
-
-struct Touch {
-  std::array<BoxContact, kMostBoxContacts> contacts;
-  std::size_t count = 0;
-  double gap = 0;
-};
-
-Touch TouchOf(const OrientedBox& a, const OrientedBox& b) {
-  Touch touch;
-  touch.count =
-      static_cast<std::size_t>(CollideBoxes(a, b, touch.contacts, touch.gap));
-  return touch;
-}
 
 Real Cosine(const double (&a)[3], const double (&b)[3]) {
   return static_cast<Real>(a[0]) * b[0] + static_cast<Real>(a[1]) * b[1] +

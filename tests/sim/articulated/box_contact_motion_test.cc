@@ -2,39 +2,19 @@
 // where they are in the world, and a motion too small to matter.
 
 #include <algorithm>
-#include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
-#include <set>
 
 #include "tests/sim/articulated/random_boxes.h"
+#include "tests/sim/articulated/touch.h"
 
 namespace plsc {
 namespace {
 
 using test::BoxPose;
+using test::Touch;
+using test::TouchOf;
 using test::Turned;
-
-struct Touch {
-  std::array<BoxContact, kMostBoxContacts> contacts;
-  int count = 0;
-  double gap = 0;
-
-  bool IsAny() const { return count > 0; }
-  const BoxContact& first() const { return contacts[0]; }
-  std::set<int> Keys() const {
-    std::set<int> keys;
-    for (int i = 0; i < count; ++i)
-      keys.insert(contacts.at(static_cast<std::size_t>(i)).key);
-    return keys;
-  }
-};
-
-Touch TouchOf(const OrientedBox& a, const OrientedBox& b) {
-  Touch touch;
-  touch.count = CollideBoxes(a, b, touch.contacts, touch.gap);
-  return touch;
-}
 
 /// Of vectors that should be equal but for the sign.
 double Apart(const double (&a)[3], const double (&b)[3], double sign = 1) {
@@ -51,8 +31,8 @@ struct Differences {
 
 void Count(const Touch& one, const Touch& other, double normal_apart,
            Differences& differences) {
-  if (one.IsAny() != other.IsAny()) ++differences.touch;
-  if (!one.IsAny() || !other.IsAny()) return;
+  if ((one.count > 0) != (other.count > 0)) ++differences.touch;
+  if (one.count == 0 || other.count == 0) return;
   ++differences.touching;
   if (normal_apart > 1e-8) ++differences.normal;
   if (std::abs(one.first().depth - other.first().depth) > 1e-11)
@@ -95,7 +75,7 @@ TEST_CASE("Contacts move with their boxes", "[box_contact]") {
     const Touch moved = TouchOf(test::Moved(pose.first, axes, shift),
                                 test::Moved(pose.second, axes, shift));
     double normal = 0;
-    if (touch.IsAny() && moved.IsAny()) {
+    if (touch.count > 0 && moved.count > 0) {
       OrientedBox carried{};
       std::copy_n(touch.first().normal, 3, carried.axes[0]);
       carried = test::Moved(carried, axes, shift);
@@ -136,7 +116,8 @@ TEST_CASE("Keys outlast small motions", "[box_contact]") {
     const Touch touch = TouchOf(pose.first, pose.second);
     const Touch later = TouchOf(pose.first, next);
     // Less is moved away.
-    if (touch.IsAny() ? touch.first().depth < 1e-8 : touch.gap < 1e-8) continue;
+    if (touch.count > 0 ? touch.first().depth < 1e-8 : touch.gap < 1e-8)
+      continue;
     Count(touch, later, 0, is_free ? clear : aligned);
   }
   for (const Differences& d : {clear, aligned}) {
@@ -154,8 +135,8 @@ TEST_CASE("Boxes stay apart while they move by less than their gap",
     const BoxPose pose = random.Next();
     const Touch touch = TouchOf(pose.first, pose.second);
     const double bound = BoxGapBound(pose.first, pose.second);
-    if (touch.IsAny() ? touch.gap > 0 || bound > 0 : touch.gap <= 0) ++wrong;
-    if (touch.IsAny()) continue;
+    if (touch.count > 0 ? touch.gap > 0 || bound > 0 : touch.gap <= 0) ++wrong;
+    if (touch.count > 0) continue;
     ++apart;
     if (bound > 0) ++told_by_faces;
     if (bound > touch.gap) ++wrong;
@@ -165,7 +146,7 @@ TEST_CASE("Boxes stay apart while they move by less than their gap",
       OrientedBox moved = pose.second;
       for (int k = 0; k < 3; ++k)
         moved.centre[k] += (1 - 1e-9) * touch.gap * direction[k];
-      if (TouchOf(pose.first, moved).IsAny()) ++wrong;
+      if (TouchOf(pose.first, moved).count > 0) ++wrong;
     }
   }
   CHECK(wrong == 0);

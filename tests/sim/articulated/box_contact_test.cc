@@ -3,29 +3,14 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
-#include <set>
+
+#include "tests/sim/articulated/touch.h"
 
 namespace plsc {
 namespace {
 
-struct Touch {
-  std::array<BoxContact, kMostBoxContacts> contacts;
-  int count = 0;
-  double gap = 0;
-};
-
-Touch TouchOf(const OrientedBox& a, const OrientedBox& b) {
-  Touch touch;
-  touch.count = CollideBoxes(a, b, touch.contacts, touch.gap);
-  return touch;
-}
-
-std::set<int> KeysOf(const Touch& touch) {
-  std::set<int> keys;
-  for (int i = 0; i < touch.count; ++i)
-    keys.insert(touch.contacts.at(static_cast<std::size_t>(i)).key);
-  return keys;
-}
+using test::Touch;
+using test::TouchOf;
 
 /// A cube of 2 m, turned about z.
 OrientedBox CubeAt(double x, double y, double z, double turn = 0) {
@@ -37,7 +22,7 @@ TEST_CASE("Boxes that lie on each other touch at corners", "[box_contact]") {
   struct Row {
     const char* why;
     OrientedBox first, second;
-    int count;
+    std::size_t count;
     double depth;
   };
   const Row rows[] = {
@@ -57,12 +42,9 @@ TEST_CASE("Boxes that lie on each other touch at corners", "[box_contact]") {
     const Touch touch = TouchOf(row.first, row.second);
     CHECK(touch.count == row.count);
     CHECK((touch.gap > 0) == (row.count == 0));
-    CHECK(KeysOf(touch).size() == static_cast<std::size_t>(touch.count));
-    for (int i = 0; i < touch.count; ++i) {
-      const BoxContact& contact =
-          touch.contacts.at(static_cast<std::size_t>(i));
+    CHECK(touch.Keys().size() == touch.count);
+    for (const BoxContact& contact : touch)
       CHECK(contact.depth == Approx(row.depth).margin(1e-15));
-    }
   }
 }
 
@@ -113,7 +95,7 @@ TEST_CASE("A box within another is pushed the shortest way out",
   for (double& half : small.half) half = 0.1;
   const Touch touch = TouchOf(small, CubeAt(0, 0, 0));
   REQUIRE(touch.count == 4);
-  for (const BoxContact& contact : touch.contacts) {
+  for (const BoxContact& contact : touch) {
     CHECK(contact.depth == Approx(0.6));
     CHECK(contact.normal[0] == 1);
     CHECK(contact.normal[1] == 0);

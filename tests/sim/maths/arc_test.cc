@@ -9,10 +9,10 @@ namespace plsc {
 namespace {
 
 using test::IsSame;
+using test::kInfinity;
+using test::kNaN;
 using test::Ulps;
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kPi = 0x1.921fb54442d18p+1;
 
 TEST_CASE("Arc tangents are right to two thirds of a last place", "[maths]") {

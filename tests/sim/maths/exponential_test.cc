@@ -9,10 +9,9 @@ namespace plsc {
 namespace {
 
 using test::IsSame;
+using test::kInfinity;
+using test::kNaN;
 using test::Ulps;
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 TEST_CASE("Exponentials are right to nine tenths of a last place", "[maths]") {
   test::Arguments arguments(5);

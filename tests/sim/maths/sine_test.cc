@@ -9,9 +9,8 @@ namespace plsc {
 namespace {
 
 using test::IsSame;
+using test::kInfinity;
 using test::Ulps;
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// Of both functions, at n arguments.
 template <typename Draw>

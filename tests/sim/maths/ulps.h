@@ -10,17 +10,19 @@
 
 namespace plsc::test {
 
+inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
+inline constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
 /// The distance of `got` in the units of a double near `want`.
 inline double Ulps(double got, long double want) {
   if (static_cast<long double>(got) == want) return 0;
   const double near = std::fabs(static_cast<double>(want));
-  if (!std::isfinite(near))
-    return near == std::fabs(got) ? 0 : std::numeric_limits<double>::infinity();
+  if (!std::isfinite(near)) return near == std::fabs(got) ? 0 : kInfinity;
   int exponent = 0;
   std::frexp(std::max(near, std::numeric_limits<double>::min()), &exponent);
   const long double unit = std::ldexp(1.0L, exponent - 53);
   const auto ulps = static_cast<double>(std::fabs(got - want) / unit);
-  return std::isnan(ulps) ? std::numeric_limits<double>::infinity() : ulps;
+  return std::isnan(ulps) ? kInfinity : ulps;
 }
 
 /// The worst of many.

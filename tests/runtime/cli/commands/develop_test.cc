@@ -6,7 +6,7 @@
 namespace plsc {
 namespace {
 
-using nlohmann::json;
+using Json = nlohmann::json;
 using test::kPlasticText;
 using test::RunPlsc;
 
@@ -16,10 +16,10 @@ TEST_CASE("develop grows the robot of one environment", "[develop]") {
     const auto ran = RunPlsc({"develop", "-", "--env", env, "--format", "json"},
                              kPlasticText);
     REQUIRE(ran.exit == 0);
-    const json robot = json::parse(ran.out);
+    const Json robot = Json::parse(ran.out);
     CHECK(robot["genotype"] == "plastic");
-    CHECK(robot["environment"] == json{{"inclined", true}});
-    CHECK(robot["active_rules"] == json{2});
+    CHECK(robot["environment"] == Json{{"inclined", true}});
+    CHECK(robot["active_rules"] == Json{2});
     CHECK(robot["early"].size() == 6);
     CHECK(robot["body"]["children"]["left"]["type"] == "A2");
     CHECK(robot["brain"]["nodes"][0]["period"] == 3.0);
@@ -109,15 +109,15 @@ TEST_CASE("develop tells the whole story with --trace", "[develop]") {
       RunPlsc({"develop", "-", "--env", "flat", "--trace", "--format", "json"},
               kPlasticText);
   REQUIRE(ran.exit == 0);
-  json robot = json::parse(ran.out);
+  Json robot = Json::parse(ran.out);
   CHECK(robot["trace"]["regulation"][1]["active"] == false);
-  CHECK(robot["trace"]["derivation"]["steps"][0] == json{1});
+  CHECK(robot["trace"]["derivation"]["steps"][0] == Json{1});
   CHECK(robot["trace"]["events"].size() == robot["early"].size());
   // Without it the same object is printed, but for the trace.
   robot.erase("trace");
   const auto plain = RunPlsc(
       {"develop", "-", "--env", "flat", "--format", "json"}, kPlasticText);
-  CHECK(json::parse(plain.out) == robot);
+  CHECK(Json::parse(plain.out) == robot);
 }
 
 TEST_CASE("develop traces grammars without bodies", "[develop]") {

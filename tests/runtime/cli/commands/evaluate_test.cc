@@ -25,7 +25,7 @@ std::string Request(const Json& id, const std::string& genotype) {
   return Json{{"id", id}, {"genotype", genotype}}.dump() + "\n";
 }
 
-std::vector<Json> Lines(const std::string& text) {
+std::vector<Json> AnswerLines(const std::string& text) {
   std::vector<Json> lines;
   std::istringstream in(text);
   for (std::string line; std::getline(in, line);)
@@ -42,7 +42,7 @@ class Evaluated {
                                        folder_.Write("short.yaml", kScenario)};
     arguments.insert(arguments.end(), options.begin(), options.end());
     ran = test::RunPlsc(arguments, input);
-    answers = Lines(ran.out);
+    answers = AnswerLines(ran.out);
   }
   /// The answer to the request of that id.
   const Json& of(const Json& id) const {
@@ -65,7 +65,7 @@ TEST_CASE("An answer is what simulate prints", "[evaluate]") {
   CHECK(evaluated.ran.err.empty());
   REQUIRE(evaluated.answers.size() == 1);
   const Json& answer = evaluated.of("a");
-  const auto simulated = Lines(
+  const auto simulated = AnswerLines(
       test::RunPlsc({"simulate", folder.Write("robot.pls", test::kPlasticText),
                      "--scenario", folder.Write("short.yaml", kScenario),
                      "--format", "json"})

@@ -9,7 +9,7 @@
 namespace plsc {
 namespace {
 
-using nlohmann::json;
+using Json = nlohmann::json;
 using test::ReadFile;
 using test::RunPlsc;
 
@@ -37,7 +37,7 @@ TEST_CASE("evolve runs both encodings to the end", "[evolve]") {
                               "--jobs", "2", "--format", "json"});
     INFO(ran.err);
     REQUIRE(ran.exit == 0);
-    const json summary = json::parse(ran.out);
+    const Json summary = Json::parse(ran.out);
     CHECK(summary["finished"] == true);
     CHECK(summary["generations"] == 3);
     CHECK(summary["evaluations"] == 18);
@@ -111,8 +111,8 @@ TEST_CASE("evolve goes on with a run of the same experiment only", "[evolve]") {
   const auto again =
       RunPlsc({"evolve", "--resume", run, "--quiet", "--format", "json"});
   CHECK(again.exit == 0);
-  CHECK(json::parse(again.out)["simulations"] == 0);
-  CHECK(json::parse(again.out)["finished"] == true);
+  CHECK(Json::parse(again.out)["simulations"] == 0);
+  CHECK(Json::parse(again.out)["finished"] == true);
   CHECK(RunPlsc({"evolve", file, "-o", run, "--or-resume", "--quiet"}).exit ==
         0);
   const auto other = RunPlsc(
@@ -173,7 +173,7 @@ TEST_CASE("a damaged run is told, and made again from what is whole",
       REQUIRE((made.exit == 0) == row.is_readable);
       if (!row.is_readable) continue;
       CHECK(refused.err.find("--salvage") != std::string::npos);
-      CHECK(json::parse(made.out)["finished"] == true);
+      CHECK(Json::parse(made.out)["finished"] == true);
       CHECK(Dump(folder / "new.sqlite") == dump);
     }
   }
@@ -181,7 +181,7 @@ TEST_CASE("a damaged run is told, and made again from what is whole",
     const auto made =
         RunPlsc({"evolve", "--salvage", run, "-o", folder / "new.sqlite",
                  "--quiet", "--format", "json"});
-    CHECK(json::parse(made.out)["simulations"] == 0);
+    CHECK(Json::parse(made.out)["simulations"] == 0);
     CHECK(Dump(folder / "new.sqlite") == dump);
   }
 }
@@ -196,11 +196,11 @@ TEST_CASE("a shared cache saves simulations and changes no bit", "[evolve]") {
     const auto ran = RunPlsc(arguments);
     INFO(ran.err);
     REQUIRE(ran.exit == 0);
-    return json::parse(ran.out);
+    return Json::parse(ran.out);
   };
-  const json plain = evolve("plain", {});
-  const json first = evolve("first", {"--cache", folder / "cache"});
-  const json second = evolve("second", {"--cache", folder / "cache"});
+  const Json plain = evolve("plain", {});
+  const Json first = evolve("first", {"--cache", folder / "cache"});
+  const Json second = evolve("second", {"--cache", folder / "cache"});
   CHECK(first["simulations"] == plain["simulations"]);
   CHECK(second["simulations"] == 0);
   CHECK(second["looked_up"] == 36);

@@ -11,7 +11,7 @@
 namespace plsc {
 namespace {
 
-using nlohmann::json;
+using Json = nlohmann::json;
 using test::ReadFile;
 using test::RunPlsc;
 using test::TemporaryFolder;
@@ -44,7 +44,7 @@ TEST_CASE("export writes an object a line", "[export]") {
   std::istringstream lines(exported.out);
   int individuals = 0, generations = 0, runs = 0;
   for (std::string line; std::getline(lines, line);) {
-    const json object = json::parse(line);
+    const Json object = Json::parse(line);
     runs += object.contains("run") ? 1 : 0;
     generations += object.contains("generation") ? 1 : 0;
     if (!object.contains("individual")) continue;

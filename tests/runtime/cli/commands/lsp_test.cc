@@ -15,7 +15,7 @@ namespace {
 using Json = nlohmann::json;
 using lsp::FrameMessage;
 
-std::string Body(const char* method, Json params = nullptr, int id = 0) {
+std::string MessageBody(const char* method, Json params = nullptr, int id = 0) {
   Json body = {{"jsonrpc", "2.0"}, {"method", method}};
   if (!params.is_null()) body["params"] = std::move(params);
   if (id > 0) body["id"] = id;
@@ -25,12 +25,13 @@ std::string Body(const char* method, Json params = nullptr, int id = 0) {
 std::string Opened(const std::string& text) {
   Json document = {{"uri", "file:///a.pls"}, {"version", 1}};
   document["text"] = text;
-  return Body("textDocument/didOpen", {{"textDocument", document}});
+  return MessageBody("textDocument/didOpen", {{"textDocument", document}});
 }
 
 const std::string kHello =
-    Body("initialize", {{"capabilities", Json::object()}}, 1);
-const std::string kGoodbye = Body("shutdown", nullptr, 9) + Body("exit");
+    MessageBody("initialize", {{"capabilities", Json::object()}}, 1);
+const std::string kGoodbye =
+    MessageBody("shutdown", nullptr, 9) + MessageBody("exit");
 
 std::vector<Json> Messages(const std::string& bytes) {
   lsp::FrameReader reader;
@@ -78,7 +79,7 @@ TEST_CASE("A client that breaks off or breaks the protocol is status 1",
           "[cli]") {
   for (const std::string& input :
        {std::string(), kHello, kHello + "Content-Length: 5\r\n\r\n{",
-        kHello + Body("exit")}) {
+        kHello + MessageBody("exit")}) {
     const Ran ran = RunPlsc({"lsp"}, input);
     CHECK(ran.exit == 1);
     CHECK(ran.err.empty());

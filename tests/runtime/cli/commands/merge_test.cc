@@ -7,7 +7,7 @@
 namespace plsc::test {
 namespace {
 
-const std::string kHead = "plsc 1\nalphabet plasticoding 1\n";
+const std::string kMergeHead = "plsc 1\nalphabet plasticoding 1\n";
 
 // Three versions in a folder.
 struct Versions {
@@ -29,10 +29,10 @@ struct Versions {
 };
 
 TEST_CASE("merge prints, or writes where it is told to", "[cli][merge]") {
-  const std::string merged = kHead + "let a = 2\nlet b = 2\n";
-  const Versions versions(kHead + "let a = 1\nlet b = 1\n",
-                          kHead + "let a = 2\nlet b = 1\n",
-                          kHead + "let a = 1\nlet b = 2\n");
+  const std::string merged = kMergeHead + "let a = 2\nlet b = 2\n";
+  const Versions versions(kMergeHead + "let a = 1\nlet b = 1\n",
+                          kMergeHead + "let a = 2\nlet b = 1\n",
+                          kMergeHead + "let a = 1\nlet b = 2\n");
   const Ran printed = versions.Merge();
   CHECK(printed.exit == 0);
   CHECK(printed.out == merged);
@@ -46,8 +46,9 @@ TEST_CASE("merge prints, or writes where it is told to", "[cli][merge]") {
 
 TEST_CASE("merge answers 1 and writes markers where there are conflicts",
           "[cli][merge]") {
-  const Versions versions(kHead + "let a = 1\n", kHead + "let a = 2\n",
-                          kHead + "let a = 3\n");
+  const Versions versions(kMergeHead + "let a = 1\n",
+                          kMergeHead + "let a = 2\n",
+                          kMergeHead + "let a = 3\n");
   const Ran ran =
       versions.Merge({"--driver", "-L", "3", "-P", "robots/a.pls", "--label",
                       "main", "--label", "start", "--label", "side"});
@@ -57,7 +58,7 @@ TEST_CASE("merge answers 1 and writes markers where there are conflicts",
         "robots/a.pls:3: conflict: let a: 'let a = 1' is 'let a = 2' in main "
         "and 'let a = 3' in side\n");
   CHECK(ReadFile(versions.ours) ==
-        kHead +
+        kMergeHead +
             "<<< main\nlet a = 2\n||| start\nlet a = 1\n===\nlet a = 3\n"
             ">>> side\n");
 }
@@ -65,8 +66,9 @@ TEST_CASE("merge answers 1 and writes markers where there are conflicts",
 TEST_CASE("merge answers 1 where both sides together are wrong",
           "[cli][merge]") {
   const Versions versions(
-      kHead + "sense hot: bool\n", kHead,
-      kHead + "sense hot: bool\nrule B -> if hot = True then { T(0.5) }\n");
+      kMergeHead + "sense hot: bool\n", kMergeHead,
+      kMergeHead +
+          "sense hot: bool\nrule B -> if hot = True then { T(0.5) }\n");
   const Ran ran = versions.Merge();
   CHECK(ran.exit == 1);
   CHECK(ran.err.find("error[P2005]") != std::string::npos);
@@ -81,15 +83,16 @@ TEST_CASE("merge answers 2 and writes nothing if a version is broken",
     std::string text;
   };
   const std::vector<Row> rows = {
-      {"an error", kHead + "rule B -> {\n"},
+      {"an error", kMergeHead + "rule B -> {\n"},
       {"empty", ""},
       {"binary", std::string("\0\x01\xff", 3)},
-      {"unresolved", kHead + "<<<<<<< ours\nlet a = 1\n=======\n>>>>>>> b\n"},
+      {"unresolved",
+       kMergeHead + "<<<<<<< ours\nlet a = 1\n=======\n>>>>>>> b\n"},
   };
   for (const Row& row : rows) {
     DYNAMIC_SECTION(row.why) {
-      const Versions ours(kHead, row.text, kHead + "let a = 1\n");
-      const Versions theirs(kHead, kHead + "let a = 1\n", row.text);
+      const Versions ours(kMergeHead, row.text, kMergeHead + "let a = 1\n");
+      const Versions theirs(kMergeHead, kMergeHead + "let a = 1\n", row.text);
       for (const Versions* versions : {&ours, &theirs}) {
         const std::string before = ReadFile(versions->ours);
         const Ran ran = versions->Merge({"--write-ours"});
@@ -104,8 +107,9 @@ TEST_CASE("merge answers 2 and writes nothing if a version is broken",
 
 TEST_CASE("As a driver merge goes by lines if a version is broken",
           "[cli][merge]") {
-  const Versions versions(kHead + "let a = 1\n", kHead + "let a = 2\n",
-                          kHead + "let a = = 3\n");
+  const Versions versions(kMergeHead + "let a = 1\n",
+                          kMergeHead + "let a = 2\n",
+                          kMergeHead + "let a = = 3\n");
   const Ran ran = versions.Merge({"--driver", "--path=robots/a.pls"});
   CHECK(ran.exit == 1);
   CHECK(ran.err.find(" --> robots/a.pls (theirs):3:9\n") != std::string::npos);
@@ -113,7 +117,7 @@ TEST_CASE("As a driver merge goes by lines if a version is broken",
   CHECK(ran.err.find("robots/a.pls:3: conflict: changed in different ways in "
                      "ours and theirs\n") != std::string::npos);
   CHECK(ReadFile(versions.ours) ==
-        kHead +
+        kMergeHead +
             "<<<<<<< ours\nlet a = 2\n||||||| base\nlet a = 1\n=======\n"
             "let a = = 3\n>>>>>>> theirs\n");
 }
@@ -124,34 +128,34 @@ TEST_CASE("Lines of two correct sides must be correct together",
   const std::string right = "let b = 1\nlet c = 1\nlet d = 1\n";
   const std::string wrong = "let b = 1\nlet c = = 1\nlet d = 1\n";
   const std::string rule = "rule B -> if hot = True then { T(0.5) }\n";
-  const Versions versions(kHead + sense + wrong, kHead + right,
-                          kHead + sense + right + rule);
+  const Versions versions(kMergeHead + sense + wrong, kMergeHead + right,
+                          kMergeHead + sense + right + rule);
   const Ran ran = versions.Merge({"--driver"});
   CHECK(ran.exit == 1);
   CHECK(ran.err.find("error[P2005]") != std::string::npos);
-  CHECK(ReadFile(versions.ours) == kHead + right + rule);
+  CHECK(ReadFile(versions.ours) == kMergeHead + right + rule);
 }
 
 TEST_CASE("As a driver merge leaves binary files as ours", "[cli][merge]") {
   const std::string binary("\0\x01\xff", 3);
   for (const bool is_ours : {false, true}) {
-    const Versions versions(kHead, is_ours ? binary : kHead,
-                            is_ours ? kHead : binary);
+    const Versions versions(kMergeHead, is_ours ? binary : kMergeHead,
+                            is_ours ? kMergeHead : binary);
     const Ran ran = versions.Merge({"--driver"});
     CHECK(ran.exit == 2);
     CHECK(ran.err.find("not merged") != std::string::npos);
-    CHECK(ReadFile(versions.ours) == (is_ours ? binary : kHead));
+    CHECK(ReadFile(versions.ours) == (is_ours ? binary : kMergeHead));
   }
 }
 
 TEST_CASE("merge answers 2 to paths that cannot be", "[cli][merge]") {
-  const Versions versions(kHead, kHead + "let a = 1\n", kHead);
+  const Versions versions(kMergeHead, kMergeHead + "let a = 1\n", kMergeHead);
   const std::string folder = versions.folder.path().string();
   CHECK(RunPlsc({"merge", versions.base, versions.ours, folder}).exit == 2);
   CHECK(RunPlsc({"merge", versions.base, versions.ours, "none.pls"}).exit == 2);
   CHECK(versions.Merge({"-o", folder}).exit == 2);
   CHECK(versions.Merge({"-o", versions.theirs}).exit == 2);
-  CHECK(ReadFile(versions.theirs) == kHead);
+  CHECK(ReadFile(versions.theirs) == kMergeHead);
   CHECK(RunPlsc({"merge", versions.base, versions.ours}).exit == 2);
   CHECK(versions.Merge({"--driver", "-o", "x"}).exit == 2);
   CHECK(versions.Merge({"-L", "0"}).exit == 2);
@@ -165,15 +169,16 @@ TEST_CASE("merge answers 2 to paths that cannot be", "[cli][merge]") {
 }
 
 TEST_CASE("merge takes an empty base for nothing", "[cli][merge]") {
-  const Versions versions("", kHead + "let a = 1\n", kHead + "let b = 1\n");
+  const Versions versions("", kMergeHead + "let a = 1\n",
+                          kMergeHead + "let b = 1\n");
   const Ran ran = versions.Merge();
   CHECK(ran.exit == 0);
-  CHECK(ran.out == kHead + "let a = 1\nlet b = 1\n");
+  CHECK(ran.out == kMergeHead + "let a = 1\nlet b = 1\n");
 }
 
 TEST_CASE("merge lets arguments be out of range if told so", "[cli][merge]") {
-  const Versions versions(kHead, kHead + "rule B -> { T(7) }\n",
-                          kHead + "let a = 1\n");
+  const Versions versions(kMergeHead, kMergeHead + "rule B -> { T(7) }\n",
+                          kMergeHead + "let a = 1\n");
   CHECK(versions.Merge().exit == 2);
   CHECK(versions.Merge({"--allow-range"}).exit == 0);
 }

@@ -13,7 +13,7 @@
 namespace plsc {
 namespace {
 
-using nlohmann::json;
+using Json = nlohmann::json;
 using test::RunPlsc;
 
 TEST_CASE("mutate makes the same change for the same seed", "[cli][mutate]") {
@@ -52,7 +52,7 @@ TEST_CASE("mutate makes the mutation that a run of evolution makes",
                  "--individual", std::to_string(id), "--format", "json"},
                 Print(parent));
     REQUIRE(ran.exit == 0);
-    const auto line = json::parse(ran.out);
+    const auto line = Json::parse(ran.out);
     Genotype wanted = child.genotype;
     wanted.name = parent.name;
     CHECK(line["text"] == Print(wanted));

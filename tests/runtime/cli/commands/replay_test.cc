@@ -8,7 +8,7 @@
 namespace plsc {
 namespace {
 
-using nlohmann::json;
+using Json = nlohmann::json;
 using test::RunPlsc;
 
 TEST_CASE("every robot of a run comes out again, bit for bit", "[replay]") {
@@ -21,7 +21,7 @@ TEST_CASE("every robot of a run comes out again, bit for bit", "[replay]") {
   INFO(all.err);
   CHECK(all.exit == 0);
   CHECK(std::count(all.out.begin(), all.out.end(), '\n') == 18);
-  const json first = json::parse(all.out.substr(0, all.out.find('\n')));
+  const Json first = Json::parse(all.out.substr(0, all.out.find('\n')));
   CHECK(first["id"] == 1);
   CHECK(first["values"] > 80);
   CHECK(first["differences"].empty());

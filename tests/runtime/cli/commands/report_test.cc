@@ -12,11 +12,11 @@
 namespace plsc {
 namespace {
 
-using nlohmann::json;
+using Json = nlohmann::json;
 using test::FinishedRun;
 using test::RunPlsc;
 
-bool Has(const std::string& text, const std::string& part) {
+bool HasPart(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
@@ -27,7 +27,7 @@ TEST_CASE("report prints a run as JSON", "[report]") {
                             "--measures", "speed,hinge_count"});
   CHECK(ran.exit == 0);
   CHECK(ran.err.empty());
-  const json report = json::parse(ran.out);
+  const Json report = Json::parse(ran.out);
   CHECK(report["single"] == true);
   CHECK(report["measures"].size() == 2);
   CHECK(report["measures"][1]["id"] == "hinge_count");
@@ -45,14 +45,14 @@ TEST_CASE("report writes a page, and replaces it", "[report]") {
   const auto ran = RunPlsc({"report", FinishedRun().path(), "-o", page});
   if (!HasPages()) {
     CHECK(ran.exit == 1);
-    CHECK(Has(ran.err, "built without npm"));
+    CHECK(HasPart(ran.err, "built without npm"));
     return;
   }
   CHECK(ran.exit == 0);
   CHECK(ran.out == page + ": 1 run: 1 done\n");
   const std::string text = test::ReadFile(page);
   CHECK(text.starts_with("<!DOCTYPE html>"));
-  CHECK(Has(text, "\"plsc_report\":2"));
+  CHECK(HasPart(text, "\"plsc_report\":2"));
   CHECK(folder.Files() == std::vector<std::string>{"page.html"});
 
   const auto quiet =
@@ -70,10 +70,10 @@ TEST_CASE("report tells a damaged run and shows the others", "[report]") {
   const auto ran = RunPlsc({"report", folder.path().string(), "--format",
                             "json", "-o", folder / "out.json"});
   CHECK(ran.exit == 1);
-  CHECK(Has(ran.err, "error: '" + (folder / "cut.sqlite") + "'"));
-  CHECK(Has(ran.err, "error: '" + (folder / "text.sqlite") + "'"));
-  CHECK(Has(ran.out, "3 runs: 1 done, 2 damaged"));
-  const json report = json::parse(test::ReadFile(folder / "out.json"));
+  CHECK(HasPart(ran.err, "error: '" + (folder / "cut.sqlite") + "'"));
+  CHECK(HasPart(ran.err, "error: '" + (folder / "text.sqlite") + "'"));
+  CHECK(HasPart(ran.out, "3 runs: 1 done, 2 damaged"));
+  const Json report = Json::parse(test::ReadFile(folder / "out.json"));
   CHECK(report["experiments"].size() == 1);
   CHECK(report["runs"][0]["state"] == "damaged");
   CHECK(report["runs"][0]["problem"].is_string());
@@ -124,7 +124,7 @@ TEST_CASE("report refuses what it cannot do, and says why", "[report]") {
       if (!HasPages() && row.exit == 1 && row.said == "cannot write") return;
       const auto ran = RunPlsc(row.arguments);
       CHECK(ran.exit == row.exit);
-      CHECK(Has(ran.err, row.said));
+      CHECK(HasPart(ran.err, row.said));
       CHECK(ran.out.empty());
       CHECK(folder.Files().empty());
     }
@@ -138,7 +138,7 @@ TEST_CASE("A study that is not begun has nothing to report", "[report]") {
                "plsc_study: 1\nrepetitions: 1\nexperiments:\n  a: {}\n");
   const auto ran = RunPlsc({"report", folder / "study", "--format", "json"});
   CHECK(ran.exit == 1);
-  CHECK(Has(ran.err, "none of these runs is begun yet"));
+  CHECK(HasPart(ran.err, "none of these runs is begun yet"));
   CHECK(ran.out.empty());
 }
 

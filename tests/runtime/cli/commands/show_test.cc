@@ -8,7 +8,7 @@
 namespace plsc {
 namespace {
 
-using nlohmann::json;
+using Json = nlohmann::json;
 using test::RunPlsc;
 
 TEST_CASE("show tells how far a run is and who is best", "[show]") {
@@ -18,8 +18,8 @@ TEST_CASE("show tells how far a run is and who is best", "[show]") {
   CHECK(text.out.find("finished: 3 of 3 generations, 18 of 18 robots") !=
         std::string::npos);
   CHECK(text.out.find("season flat: ") != std::string::npos);
-  const json told =
-      json::parse(RunPlsc({"show", run.path(), "--format", "json"}).out);
+  const Json told =
+      Json::parse(RunPlsc({"show", run.path(), "--format", "json"}).out);
   CHECK(told["state"] == "finished");
   CHECK(told["best"] == run.summary()["best"]["id"]);
   CHECK(told["versions"].contains("ode"));
@@ -27,8 +27,8 @@ TEST_CASE("show tells how far a run is and who is best", "[show]") {
 
 TEST_CASE("show tells where an individual comes from", "[show]") {
   const test::TinyRun& run = test::FinishedRun();
-  const json child =
-      json::parse(RunPlsc({"show", run.path(), "18", "--format", "json"}).out);
+  const Json child =
+      Json::parse(RunPlsc({"show", run.path(), "18", "--format", "json"}).out);
   CHECK(child["id"] == 18);
   CHECK(child["generation"] == 2);
   REQUIRE(child["parents"].size() == 2);

@@ -9,7 +9,7 @@
 namespace plsc {
 namespace {
 
-using nlohmann::json;
+using Json = nlohmann::json;
 using test::InRepository;
 using test::RunPlsc;
 
@@ -32,9 +32,9 @@ TEST_CASE("simulate lives each season with the body of its environment",
               test::kPlasticText);
   REQUIRE(ran.exit == 0);
   std::istringstream lines(ran.out);
-  std::vector<json> seasons;
+  std::vector<Json> seasons;
   for (std::string line; std::getline(lines, line);)
-    seasons.push_back(json::parse(line));
+    seasons.push_back(Json::parse(line));
   REQUIRE(seasons.size() == 2);
   CHECK(seasons[0]["season"] == "flat");
   CHECK(seasons[0]["body_descriptors"]["hinge_count"] == 0);
@@ -142,13 +142,13 @@ TEST_CASE("simulate has the descriptors that develop has", "[simulate]") {
       RunPlsc({"simulate", InRepository("examples/spider.pls"), "--scenario",
                scenario, "--format", "json"})
           .out);
-  const json developed =
-      json::parse(RunPlsc({"develop", InRepository("examples/spider.pls"),
+  const Json developed =
+      Json::parse(RunPlsc({"develop", InRepository("examples/spider.pls"),
                            "--format", "json"})
                       .out);
   int seasons = 0;
   for (std::string line; std::getline(lines, line); ++seasons) {
-    const json season = json::parse(line);
+    const Json season = Json::parse(line);
     for (const char* key : {"body_descriptors", "brain_descriptors"}) {
       CHECK(season[key] == developed[key]);
       CHECK(season[key].size() > 10);
@@ -252,12 +252,12 @@ TEST_CASE("simulate lives a run's robot as the run did", "[simulate]") {
   const std::string run = test::FinishedRun().path();
   const auto ran = RunPlsc({"simulate", run, "18", "--format", "json"});
   REQUIRE(ran.exit == 0);
-  const json stored =
-      json::parse(RunPlsc({"show", run, "18", "--format", "json"}).out);
+  const Json stored =
+      Json::parse(RunPlsc({"show", run, "18", "--format", "json"}).out);
   std::istringstream lines(ran.out);
   std::size_t seasons = 0;
   for (std::string line; std::getline(lines, line); ++seasons)
-    CHECK(json::parse(line)["state_hash"] ==
+    CHECK(Json::parse(line)["state_hash"] ==
           stored["seasons"][seasons]["state_hash"]);
   CHECK(seasons == 2);
 
@@ -294,7 +294,7 @@ TEST_CASE("the walkers of the examples walk uphill", "[simulate][slow]") {
     REQUIRE(ran.exit == 0);
     std::istringstream lines(ran.out);
     for (std::string line; std::getline(lines, line);) {
-      const json season = json::parse(line);
+      const Json season = Json::parse(line);
       CHECK(season["behaviour"]["displacement_velocity_hill"] > 0.003);
     }
   }

@@ -11,7 +11,7 @@
 namespace plsc {
 namespace {
 
-using nlohmann::json;
+using Json = nlohmann::json;
 using test::RunPlsc;
 
 const char* const kStudy = R"(plsc_study: 1
@@ -29,11 +29,11 @@ experiments:
   baseline: {encoding: baseline}
 )";
 
-std::vector<json> Lines(const std::string& text) {
-  std::vector<json> lines;
+std::vector<Json> Lines(const std::string& text) {
+  std::vector<Json> lines;
   std::istringstream stream(text);
   for (std::string line; std::getline(stream, line);)
-    lines.push_back(json::parse(line));
+    lines.push_back(Json::parse(line));
   return lines;
 }
 

@@ -11,7 +11,7 @@ namespace {
 namespace fs = std::filesystem;
 using test::RunPlsc;
 
-bool Has(const std::string& text, const std::string& part) {
+bool Shows(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
@@ -23,12 +23,12 @@ TEST_CASE("test records, compares and shows what changed", "[test]") {
 
   const auto missing = RunPlsc({"test", path});
   CHECK(missing.exit == 1);
-  CHECK(Has(missing.out, "there is no golden file '" + golden + "'"));
+  CHECK(Shows(missing.out, "there is no golden file '" + golden + "'"));
   CHECK(folder.Files().size() == 1);
 
   const auto created = RunPlsc({"test", path, "--update"});
   CHECK(created.exit == 0);
-  CHECK(Has(created.out, path + " in tilted: updated " + golden));
+  CHECK(Shows(created.out, path + " in tilted: updated " + golden));
   CHECK(folder.Files() ==
         std::vector<std::string>{"plastic.golden.json", "plastic.pls"});
 
@@ -42,12 +42,12 @@ TEST_CASE("test records, compares and shows what changed", "[test]") {
   folder.Write("plastic.pls", text);
   const auto differs = RunPlsc({"test", path});
   CHECK(differs.exit == 1);
-  CHECK(Has(differs.out,
-            path + " in flat differs from " + golden +
-                ":\n"
-                "  string at symbol 2: expected add_front, found add_left\n"
-                "  module 2 (B) moved: expected x=0,y=1, found x=-1,y=0\n"));
-  CHECK(!Has(differs.out, "in tilted"));
+  CHECK(Shows(differs.out,
+              path + " in flat differs from " + golden +
+                  ":\n"
+                  "  string at symbol 2: expected add_front, found add_left\n"
+                  "  module 2 (B) moved: expected x=0,y=1, found x=-1,y=0\n"));
+  CHECK(!Shows(differs.out, "in tilted"));
 
   CHECK(RunPlsc({"test", path, "--update"}).exit == 0);
   CHECK(RunPlsc({"test", path}).exit == 0);
@@ -64,18 +64,19 @@ TEST_CASE("test runs the tests that a file states itself", "[test]") {
   folder.Write("a.pls", text + "test wrong -> { C add_left T }\n");
   const auto differs = RunPlsc({"test", path});
   CHECK(differs.exit == 1);
-  CHECK(Has(differs.out, "error[P4002]: test 'wrong' fails\n"));
-  CHECK(Has(differs.out, "a.pls:6:28\n"));
-  CHECK(Has(differs.out, "2 tests of 1 file: 1 as expected, 1 differs\n"));
+  CHECK(Shows(differs.out, "error[P4002]: test 'wrong' fails\n"));
+  CHECK(Shows(differs.out, "a.pls:6:28\n"));
+  CHECK(Shows(differs.out, "2 tests of 1 file: 1 as expected, 1 differs\n"));
   // Only a person can say what was meant.
-  CHECK(!Has(differs.out, "--update"));
+  CHECK(!Shows(differs.out, "--update"));
   const auto json = RunPlsc({"test", "--format", "json", path});
-  CHECK(Has(json.out, R"("genotype":null,"test":"wrong","environment":null)"));
+  CHECK(
+      Shows(json.out, R"("genotype":null,"test":"wrong","environment":null)"));
   const auto junit = RunPlsc({"test", "--format", "junit", path});
-  CHECK(Has(junit.out, "name=\"test wrong\">"));
+  CHECK(Shows(junit.out, "name=\"test wrong\">"));
   // Beside a golden file both count.
   CHECK(RunPlsc({"test", "--update", path}).exit == 1);
-  CHECK(Has(RunPlsc({"test", path}).out, "3 tests of 1 file"));
+  CHECK(Shows(RunPlsc({"test", path}).out, "3 tests of 1 file"));
 }
 
 TEST_CASE("test knows the genotypes of a file apart", "[test]") {
@@ -93,14 +94,14 @@ TEST_CASE("test knows the genotypes of a file apart", "[test]") {
   folder.Write("zoo.pls", changed);
   const auto differs = RunPlsc({"test", path});
   CHECK(differs.exit == 1);
-  CHECK(Has(differs.out, "zoo.pls#a in any differs from "));
-  CHECK(!Has(differs.out, "zoo.pls#b in any"));
+  CHECK(Shows(differs.out, "zoo.pls#a in any differs from "));
+  CHECK(!Shows(differs.out, "zoo.pls#b in any"));
   // A golden file from before a genotype was renamed.
   std::string renamed = text;
   renamed.replace(renamed.find("genotype a"), 10, "genotype c");
   folder.Write("zoo.pls", renamed);
-  CHECK(Has(RunPlsc({"test", path}).out,
-            "error: the genotype's file has no genotype 'a'\n"));
+  CHECK(Shows(RunPlsc({"test", path}).out,
+              "error: the genotype's file has no genotype 'a'\n"));
 }
 
 TEST_CASE("test --update leaves alone what is as expected", "[test]") {
@@ -113,7 +114,7 @@ TEST_CASE("test --update leaves alone what is as expected", "[test]") {
   const std::string before = test::ReadFile(golden);
   const auto again = RunPlsc({"test", path, "--update"});
   CHECK(again.exit == 0);
-  CHECK(!Has(again.out, "updated"));
+  CHECK(!Shows(again.out, "updated"));
   CHECK(test::ReadFile(golden) == before);
 }
 
@@ -124,8 +125,8 @@ TEST_CASE("test --update does not touch what it cannot read", "[test]") {
   folder.Write("a.golden.json", "{\"plsc_golden\": 1, ");
   const auto ran = RunPlsc({"test", folder.path().string(), "--update"});
   CHECK(ran.exit == 1);
-  CHECK(Has(ran.out, "a.golden.json:1:20"));
-  CHECK(Has(ran.out, "b.pls in flat: updated"));
+  CHECK(Shows(ran.out, "a.golden.json:1:20"));
+  CHECK(Shows(ran.out, "b.pls in flat: updated"));
   CHECK(test::ReadFile(folder / "a.golden.json") == "{\"plsc_golden\": 1, ");
 }
 
@@ -136,7 +137,7 @@ TEST_CASE("test --update says when a golden file cannot be written", "[test]") {
   fs::create_directory(folder / "plastic.golden.json");
   const auto taken = RunPlsc({"test", path, "--update"});
   CHECK(taken.exit == 1);
-  CHECK(Has(taken.out, "plastic.golden.json"));
+  CHECK(Shows(taken.out, "plastic.golden.json"));
   CHECK(fs::is_directory(folder / "plastic.golden.json"));
   if (::geteuid() == 0) return;
   fs::remove(folder / "plastic.golden.json");
@@ -144,7 +145,7 @@ TEST_CASE("test --update says when a golden file cannot be written", "[test]") {
   const auto readonly = RunPlsc({"test", path, "--update"});
   fs::permissions(folder.path(), fs::perms::owner_all);
   CHECK(readonly.exit == 1);
-  CHECK(Has(readonly.out, "cannot write"));
+  CHECK(Shows(readonly.out, "cannot write"));
 }
 
 TEST_CASE("test gives the same bytes for any number of jobs", "[test]") {
@@ -185,7 +186,7 @@ TEST_CASE("test --output has the report, standard output the text", "[test]") {
   const auto failed =
       RunPlsc({"test", path, "--output", folder / "none/report"});
   CHECK(failed.exit == 1);
-  CHECK(Has(failed.err, "cannot write"));
+  CHECK(Shows(failed.err, "cannot write"));
 }
 
 TEST_CASE("test explains what it cannot test", "[test]") {
@@ -212,7 +213,7 @@ TEST_CASE("test explains what it cannot test", "[test]") {
       arguments.insert(arguments.end(), row.paths.begin(), row.paths.end());
       const auto ran = RunPlsc(arguments);
       CHECK(ran.exit == row.exit);
-      CHECK(Has(ran.out + ran.err, row.message));
+      CHECK(Shows(ran.out + ran.err, row.message));
     }
   }
 }

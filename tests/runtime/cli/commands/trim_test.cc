@@ -14,18 +14,18 @@ const std::string kLong =
     "plsc 1\ngenotype long\nalphabet plasticoding 1\niterations 1\n"
     "# the body\nrule C -> { C B add_left B }  # two\n"
     "rule T -> { T(1) }\n";
-const std::string kShort =
+const std::string kShortUsage =
     "plsc 1\ngenotype long\nalphabet plasticoding 1\niterations 1\n"
     "# the body\nrule C -> { C add_left B }  # two\n";
 
 TEST_CASE("trim prints what is left, and its proof", "[cli][trim]") {
   const auto ran = RunPlsc({"trim", "-"}, kLong);
   CHECK(ran.exit == 0);
-  CHECK(ran.out == kShort);
+  CHECK(ran.out == kShortUsage);
   CHECK(ran.err.find("long: 2 of 5 symbols, 1 of 2 rules and 0 of 0 terms of "
                      "clauses left out") != std::string::npos);
   CHECK(ran.err.find("  always: before ") != std::string::npos);
-  const auto again = RunPlsc({"trim", "-", "--check"}, kShort);
+  const auto again = RunPlsc({"trim", "-", "--check"}, kShortUsage);
   CHECK(again.exit == 0);
   CHECK(again.out.empty());
   CHECK(RunPlsc({"trim", "-", "--check"}, kLong).exit == 1);
@@ -36,13 +36,13 @@ TEST_CASE("trim writes where it is told, and nothing else", "[cli][trim]") {
   const std::string file = folder.Write("a.pls", kLong);
   CHECK(RunPlsc({"trim", file, "-o", folder / "b.pls"}).exit == 0);
   CHECK(ReadFile(file) == kLong);
-  CHECK(ReadFile(folder / "b.pls") == kShort);
+  CHECK(ReadFile(folder / "b.pls") == kShortUsage);
   CHECK(RunPlsc({"trim", file, "-o", file}).exit == 1);
   CHECK(RunPlsc({"trim", file, "-o", folder.path().string()}).exit == 1);
   CHECK(RunPlsc({"trim", file, "-o", folder / "no/b.pls"}).exit == 1);
   CHECK(ReadFile(file) == kLong);
   CHECK(RunPlsc({"trim", file, "--write"}).exit == 0);
-  CHECK(ReadFile(file) == kShort);
+  CHECK(ReadFile(file) == kShortUsage);
   CHECK(folder.Files() == std::vector<std::string>{"a.pls", "b.pls"});
   CHECK(RunPlsc({"trim", "-", "--write"}, kLong).exit == 2);
   CHECK(RunPlsc({"trim", file, "--write", "-o", "x"}).exit == 2);
@@ -85,7 +85,7 @@ TEST_CASE("trim tells scripts everything", "[cli][trim]") {
   const auto ran = RunPlsc({"trim", "-", "--format", "json"}, kLong);
   CHECK(ran.exit == 0);
   const auto json = nlohmann::json::parse(ran.out);
-  CHECK(json["text"] == kShort);
+  CHECK(json["text"] == kShortUsage);
   CHECK(json["complete"] == true);
   const auto& one = json["genotypes"][0];
   CHECK(one["before"]["symbols"] == 5);

@@ -10,16 +10,16 @@
 namespace plsc {
 namespace {
 
-using nlohmann::json;
+using Json = nlohmann::json;
 using test::RunPlsc;
 
-json DataOf(const std::string& page) {
+Json DataOf(const std::string& page) {
   const std::string open = R"(<script type="application/json" id="data">)";
   const std::size_t begin = page.find(open) + open.size();
-  return json::parse(page.substr(begin, page.find("</script>", begin) - begin));
+  return Json::parse(page.substr(begin, page.find("</script>", begin) - begin));
 }
 
-json Explain(std::vector<std::string> arguments) {
+Json Explain(std::vector<std::string> arguments) {
   const test::TemporaryFolder folder;
   const std::string path = folder / "page.html";
   arguments.insert(arguments.begin(), {"view", "--explain"});
@@ -34,9 +34,9 @@ json Explain(std::vector<std::string> arguments) {
 TEST_CASE("view --explain writes a page of all environments",
           "[view_explain]") {
   if (!HasPages()) return;
-  const json data = Explain({"-"});
+  const Json data = Explain({"-"});
   REQUIRE(data["robots"].size() == 1);
-  const json& robot = data["robots"][0];
+  const Json& robot = data["robots"][0];
   CHECK(robot["title"] == "plastic");
   CHECK(robot["text"] == test::kPlasticText);
   CHECK(robot["environments"].size() == 2);
@@ -48,7 +48,7 @@ TEST_CASE("view --explain takes several robots, also of runs",
           "[view_explain]") {
   if (!HasPages()) return;
   const std::string run = test::FinishedRun().path();
-  const json data =
+  const Json data =
       Explain({test::InRepository("examples/gecko.pls"), run, "3", "18", run});
   REQUIRE(data["robots"].size() == 4);
   CHECK(data["robots"][0]["file"] == "gecko.pls");

@@ -10,7 +10,7 @@ namespace {
 
 using test::RunPlsc;
 
-constexpr const char* kSecond = R"(plsc_scenario: 1
+constexpr const char* kSecondLife = R"(plsc_scenario: 1
 seasons:
   - {name: flat, terrain: flat, duration: 1 s, senses: {inclined: False}}
 )";
@@ -21,7 +21,7 @@ TEST_CASE("view writes one page of all lives", "[view]") {
   const std::string page = folder / "p.html";
   const auto ran =
       RunPlsc({"view", "-", test::FinishedRun().path(), "1", "--scenario",
-               folder.Write("s.yaml", kSecond), "-o", page},
+               folder.Write("s.yaml", kSecondLife), "-o", page},
               test::kPlasticText);
   INFO(ran.err);
   REQUIRE(ran.exit == 0);

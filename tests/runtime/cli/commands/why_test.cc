@@ -8,7 +8,7 @@
 namespace plsc {
 namespace {
 
-using nlohmann::json;
+using Json = nlohmann::json;
 using test::kPlasticText;
 using test::RunPlsc;
 
@@ -77,10 +77,10 @@ TEST_CASE("why answers as one object an environment", "[why]") {
       RunPlsc({"why", "-", "--module", "2", "--format", "json"}, kWalker);
   REQUIRE(ran.exit == 0);
   const std::size_t end = ran.out.find('\n');
-  const json flat = json::parse(ran.out.substr(0, end));
-  CHECK(flat["environment"] == json{{"inclined", false}});
+  const Json flat = Json::parse(ran.out.substr(0, end));
+  CHECK(flat["environment"] == Json{{"inclined", false}});
   CHECK(flat["origin"] == nullptr);
-  const json tilted = json::parse(ran.out.substr(end + 1));
+  const Json tilted = Json::parse(ran.out.substr(end + 1));
   CHECK(tilted["module"] == "2");
   CHECK(tilted["origin"]["index"] == 4);
   CHECK(tilted["origin"]["ancestry"][0]["place"]["line"] == 7);
@@ -89,7 +89,7 @@ TEST_CASE("why answers as one object an environment", "[why]") {
   const auto symbol = RunPlsc(
       {"why", "<stdin>:8:13", "--env", "flat", "--format", "json"}, kWalker);
   REQUIRE(symbol.exit == 0);
-  const json forward = json::parse(symbol.out);
+  const Json forward = Json::parse(symbol.out);
   CHECK(forward["genotype"] == "walker");
   CHECK(forward["symbol"] == "add_front");
   CHECK(forward["occurrences"][0]["event"]["effect"] == "slot_used");

@@ -29,8 +29,8 @@ std::size_t Count(const std::string& text, char wanted) {
 }
 
 /// A line with a clock that the test turns.
-struct Watched {
-  explicit Watched(bool is_terminal, int columns = 200)
+struct WatchedRun {
+  explicit WatchedRun(bool is_terminal, int columns = 200)
       : line(out, is_terminal, 10) {
     line.SetWorld([this] { return now; }, [columns] { return columns; });
   }
@@ -117,7 +117,7 @@ TEST_CASE("durations read as clocks do", "[progress]") {
 
 TEST_CASE("a log file gets a line a generation, and one a minute",
           "[progress]") {
-  Watched log(false);
+  WatchedRun log(false);
   Progress progress = Half();
   log.line.Report(progress);
   CHECK(Count(log.out.str(), '\n') == 1);
@@ -147,7 +147,7 @@ TEST_CASE("a log file gets a line a generation, and one a minute",
 }
 
 TEST_CASE("a terminal gets one line, drawn again", "[progress]") {
-  Watched screen(true);
+  WatchedRun screen(true);
   Progress progress = Half();
   screen.line.Report(progress);
   screen.now = 0.1;
@@ -166,7 +166,7 @@ TEST_CASE("a terminal gets one line, drawn again", "[progress]") {
 TEST_CASE("a terminal's line never reaches its last column", "[progress]") {
   for (const int columns : {1, 20, 40, 80}) {
     CAPTURE(columns);
-    Watched screen(true, columns);
+    WatchedRun screen(true, columns);
     screen.line.Report(Half());
     screen.now = 1;
     screen.line.Report(Progress{});
@@ -178,7 +178,7 @@ TEST_CASE("a terminal's line never reaches its last column", "[progress]") {
 }
 
 TEST_CASE("a shorter line wipes the longer one", "[progress]") {
-  Watched screen(true);
+  WatchedRun screen(true);
   screen.line.Report(Half());
   const std::size_t longer = screen.out.str().size();
   screen.now = 1;
@@ -196,7 +196,7 @@ TEST_CASE("a run that goes on does not count what was done before",
 }
 
 TEST_CASE("without news there is nothing to show", "[progress]") {
-  Watched screen(true);
+  WatchedRun screen(true);
   screen.line.Tick();
   screen.line.Finish();
   CHECK(screen.out.str().empty());
