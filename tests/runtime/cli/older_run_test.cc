@@ -12,7 +12,7 @@
 namespace plsc {
 namespace {
 
-using nlohmann::json;
+using Json = nlohmann::json;
 using test::ReadFile;
 using test::RunPlsc;
 
@@ -25,7 +25,7 @@ struct OlderRun {
   std::string path;
 };
 
-bool Has(const std::string& text, const std::string& part) {
+bool Tells(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
@@ -35,11 +35,11 @@ TEST_CASE("a run of 0.1.0 is read by every command", "[older_run]") {
   const auto shown = RunPlsc({"show", run.path, "--verify"});
   INFO(shown.err);
   CHECK(shown.exit == 0);
-  CHECK(Has(shown.out, "by plsc 0.1.0, results 1, ODE "));
-  const json versions = json::parse(
+  CHECK(Tells(shown.out, "by plsc 0.1.0, results 1, ODE "));
+  const Json versions = Json::parse(
       RunPlsc({"show", run.path, "--format", "json"}).out)["versions"];
   CHECK(versions["results"] == 1);
-  CHECK(Has(versions["machine"], "x86_64"));
+  CHECK(Tells(versions["machine"], "x86_64"));
   CHECK(RunPlsc({"show", run.path, "best"}).exit == 0);
   CHECK(RunPlsc({"draw", run.path, "best"}).exit == 0);
   CHECK(RunPlsc({"why", run.path, "best", "--module", "1"}).exit == 0);
@@ -48,20 +48,20 @@ TEST_CASE("a run of 0.1.0 is read by every command", "[older_run]") {
                  run.folder / "robots"})
             .exit == 0);
   const std::string lines = RunPlsc({"export", run.path, "--jsonl"}).out;
-  const json head = json::parse(lines.substr(0, lines.find('\n')))["run"];
+  const Json head = Json::parse(lines.substr(0, lines.find('\n')))["run"];
   CHECK(head["versions"]["results"] == 1);
   REQUIRE(RunPlsc({"export", run.path, "--csv", run.folder / "csv"}).exit == 0);
-  CHECK(Has(ReadFile(run.folder / "csv/run.csv"), ",machine,results,"));
+  CHECK(Tells(ReadFile(run.folder / "csv/run.csv"), ",machine,results,"));
   CHECK(std::filesystem::exists(run.folder / "csv/results.csv"));
   const auto report = RunPlsc({"report", run.path, "--format", "json"});
   REQUIRE(report.exit == 0);
-  CHECK(json::parse(report.out)["runs"][0]["results"] == 1);
+  CHECK(Json::parse(report.out)["runs"][0]["results"] == 1);
   if (HasPages())
     CHECK(RunPlsc({"view", run.path, "best", "-o", run.folder / "page.html"})
               .exit == 0);
   const auto replayed = RunPlsc({"replay", run.path, "--all"});
-  CHECK(Has(replayed.err, "differences expected"));
-  CHECK_FALSE(Has(replayed.out, "simulation: stored"));
+  CHECK(Tells(replayed.err, "differences expected"));
+  CHECK_FALSE(Tells(replayed.out, "simulation: stored"));
   CHECK(RunPlsc({"replay", run.path, "--engine", "articulated"}).exit == 0);
   CHECK(ReadFile(run.path) == before);
 }
@@ -71,10 +71,10 @@ TEST_CASE("a run of 0.1.0 is not gone on with", "[older_run]") {
   const std::string before = ReadFile(run.path);
   const auto refused = RunPlsc({"evolve", "--resume", run.path});
   CHECK(refused.exit == 1);
-  CHECK(Has(refused.err,
-            "was made by other arithmetic: its results have "
-            "number 1 (plsc 0.1.0), those of this program 2"));
-  CHECK(Has(refused.err, "plsc 0.1.0 goes on with it"));
+  CHECK(Tells(refused.err,
+              "was made by other arithmetic: its results have "
+              "number 1 (plsc 0.1.0), those of this program 2"));
+  CHECK(Tells(refused.err, "plsc 0.1.0 goes on with it"));
   CHECK(RunPlsc({"evolve", "--salvage", run.path, "-o", run.folder / "new"})
             .exit == 1);
   CHECK(ReadFile(run.path) == before);
@@ -88,10 +88,10 @@ TEST_CASE("a run of the articulated engine is of no machine", "[older_run]") {
       "scenario: {seasons: [{duration: 1 s}]}\n");
   const std::string path = folder / "run.sqlite";
   REQUIRE(RunPlsc({"evolve", file, "-o", path, "--quiet"}).exit == 0);
-  CHECK(
-      Has(RunPlsc({"show", path}).out, "results 2, the same on any machine\n"));
-  const json shown =
-      json::parse(RunPlsc({"show", path, "--format", "json"}).out);
+  CHECK(Tells(RunPlsc({"show", path}).out,
+              "results 2, the same on any machine\n"));
+  const Json shown =
+      Json::parse(RunPlsc({"show", path, "--format", "json"}).out);
   CHECK(shown["versions"]["machine"] == "any");
   CHECK(shown["versions"]["results"] == 2);
 }

@@ -86,11 +86,11 @@ TEST_CASE("replay --engine tells how survivors rank by that engine",
   const auto same =
       RunPlsc({"replay", run, "--all", "--engine", "ode", "--format", "json"});
   CHECK(same.exit == 0);
-  const json check = json::parse(same.out);
+  const Json check = Json::parse(same.out);
   CHECK(check["engine"] == "ode");
   CHECK(check["generation"].is_null());
   CHECK(check["robots"] == 18);
-  for (const json& season : check["seasons"]) {
+  for (const Json& season : check["seasons"]) {
     CHECK(season["largest_difference"] == 0);
     CHECK(season["only_now"] == 0);
     CHECK(season["lives"].size() == 18);
@@ -118,8 +118,9 @@ TEST_CASE("replay expects differences from other arithmetic", "[replay]") {
   const auto same = RunPlsc({"replay", run});
   CHECK(same.err.find("made by other arithmetic (results 1, and of this "
                       "program 2): differences expected") != std::string::npos);
+  const test::TemporaryFolder second;
   const auto other = RunPlsc(
-      {"replay", test::ChangedRun(folder,
+      {"replay", test::ChangedRun(second,
                                   "UPDATE run SET results = 1, plsc = '0.1.0'; "
                                   "UPDATE evaluation SET fitness = 17")});
   CHECK(other.exit == 1);
