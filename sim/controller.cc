@@ -23,11 +23,15 @@
 #include <numbers>
 #include <utility>
 
+#include "sim/maths/sine.h"
+
 namespace plsc {
 double Oscillate(const Node& oscillator, double time) {
   const double turns = time / oscillator.period - oscillator.phase_offset;
-  return 0.5 +
-         oscillator.amplitude / 2 * std::sin(2 * std::numbers::pi * turns);
+  // Whole turns are left out before pi, which is not exact, comes in: a life
+  // may be as long as it likes.
+  const double part = turns - std::round(turns);
+  return 0.5 + oscillator.amplitude / 2 * Sin(2 * std::numbers::pi * part);
 }
 
 double ServoSpeed(double output, double angle, const ServoOptions& servo) {

@@ -5,10 +5,11 @@
 // long sides get points in between, and what is narrower than these is not
 // seen.
 //
-// Most boxes are in the air. A sphere about the link spares all of it, how far
-// a box reaches down its eight corners; on hills a sphere grows by what the ground
-// can rise across it (steepest). All of this only leaves out points that cannot
-// touch: a rule that dropped a touching corner would be another physics.
+// Most boxes are in the air. A sphere and a box about the link spare all of it,
+// how far a box reaches down its eight corners; on hills a sphere grows by what
+// the ground can rise across it (steepest). All of this only leaves out points
+// that cannot touch: a rule that dropped a touching corner would be another
+// physics.
 //
 // Spanning keeps four points: the deepest, the one farthest from it, the one
 // that makes the largest triangle, and the one that lies farthest outside of
@@ -23,6 +24,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
+
+#include "sim/maths/sine.h"
 
 namespace plsc {
 namespace {
@@ -83,11 +87,14 @@ Eigen::Matrix3Xd FinePoints(const Box& box) {
 
 Vector3d GroundNormal(const Terrain& terrain) {
   if (terrain.type != TerrainType::kTilted) return Vector3d::UnitZ();
-  return {0, -std::sin(terrain.tilt), std::cos(terrain.tilt)};
+  const auto [sine, cosine] = SinCos(terrain.tilt);
+  return {0, -sine, cosine};
 }
 
 LinkCorners CornersOf(const Link& link) {
   LinkCorners corners;
+  const double far = std::numeric_limits<double>::infinity();
+  Vector3d low = Vector3d::Constant(far), high = Vector3d::Constant(-far);
   for (const Box& box : link.boxes) {
     BoxCorners next;
     next.module = box.module;
@@ -104,7 +111,11 @@ LinkCorners CornersOf(const Link& link) {
     next.radius = box.size.norm() / 2;
     next.fine = FinePoints(box).colwise() + next.centre;
     corners.boxes.push_back(next);
+    low = low.cwiseMin(next.centre - next.half);
+    high = high.cwiseMax(next.centre + next.half);
   }
+  corners.centre = (low + high) / 2;
+  corners.half = (high - low) / 2;
   return corners;
 }
 
@@ -116,6 +127,7 @@ void AppendGroundContacts(const LinkCorners& link, const LinkPose& pose,
   // The normal is turned into the link's frame once, not every corner out.
   const Vector3d up = pose.axes.transpose() * normal;
   const Vector3d reach = up.cwiseAbs();
+  if (height + up.dot(link.centre) > reach.dot(link.half) + kRoundOff) return;
   int key = -8;
   for (const BoxCorners& box : link.boxes) {
     key += 8;
@@ -125,9 +137,8 @@ void AppendGroundContacts(const LinkCorners& link, const LinkPose& pose,
       const Vector3d point = box.points.col(corner);
       const double depth = -(height + up.dot(point));
       if (depth < 0) continue;
-      contacts.push_back(
-          {box.module, depth, pose.position + pose.axes * point, normal,
-           key + corner});
+      contacts.push_back({box.module, depth, pose.position + pose.axes * point,
+                          normal, key + corner});
     }
   }
 }

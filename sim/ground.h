@@ -43,6 +43,8 @@ inline constexpr double kFineSide = 0.03;
 /// A link as the ground sees it.
 struct LinkCorners {
   double radius = 0;  ///< m, from the centre of mass to the farthest corner
+  /// m, of the box along the link's axes about all of its boxes.
+  Eigen::Vector3d centre, half;
   std::vector<BoxCorners> boxes;
 };
 

@@ -8,10 +8,10 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 
 #include "sim/assembly.h"
+#include "sim/maths/arc.h"
 #include "sim/placement.h"
 #include "sim/schedule.h"
 #include "sim/world.h"
@@ -23,18 +23,16 @@ double FeltInclination(const Terrain& terrain, const SimulationOptions& options,
   Body core;
   core.modules.emplace_back();
   const Assembly assembly = Assemble(core);
-  const Eigen::Matrix3d level =
-      Eigen::AngleAxisd(spot.heading, Eigen::Vector3d::UnitZ())
-          .toRotationMatrix();
   World world(assembly, terrain, options,
-              SetDown(assembly, level, spot, terrain, options.start_clearance));
+              SetDown(assembly, Heading(spot.heading), spot, terrain,
+                      options.start_clearance));
   const std::int64_t steps = NearestStep(imu.settling, options.physics.step);
   // Should the world go wrong, the last that was felt counts; the season will
   // go wrong in the same world and tell why.
   double felt = 0;
   for (std::int64_t step = 0; step < steps && world.Step(); ++step) {
     const double up = world.PoseOf(0).axes(2, 2);
-    felt = std::acos(std::clamp(up, -1.0, 1.0));
+    felt = Acos(std::clamp(up, -1.0, 1.0));
   }
   return felt;
 }

@@ -15,6 +15,8 @@
 
 #include "sim/ground.h"
 #include "sim/height_field.h"
+#include "sim/maths/arc.h"
+#include "sim/maths/sine.h"
 #include "sim/static_boxes.h"
 
 namespace plsc {
@@ -22,10 +24,6 @@ namespace {
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
-
-Matrix3d Heading(double angle) {
-  return Eigen::AngleAxisd(angle, Vector3d::UnitZ()).toRotationMatrix();
-}
 
 double GapToPlane(const Eigen::Matrix3Xd& points, const Vector3d& normal) {
   return (normal.transpose() * points).minCoeff() / normal.z();
@@ -64,9 +62,23 @@ double GapToBoxes(const Eigen::Matrix3Xd& points, const Terrain& terrain) {
 
 }  // namespace
 
+Matrix3d Heading(double angle) {
+  const auto [sine, cosine] = SinCos(angle);
+  Matrix3d axes;
+  axes << cosine, -sine, 0,  //
+      sine, cosine, 0,       //
+      0, 0, 1;
+  return axes;
+}
+
 Matrix3d AlignedAxes(const Terrain& terrain) {
   if (terrain.type != TerrainType::kTilted) return Matrix3d::Identity();
-  return Eigen::AngleAxisd(terrain.tilt, Vector3d::UnitX()).toRotationMatrix();
+  const auto [sine, cosine] = SinCos(terrain.tilt);
+  Matrix3d axes;
+  axes << 1, 0, 0,       //
+      0, cosine, -sine,  //
+      0, sine, cosine;
+  return axes;
 }
 
 double Gap(const Assembly& assembly, const Placement& placement,
@@ -113,9 +125,8 @@ Spot SpotOf(const Placement& core) {
   Spot spot{core.position.x(), core.position.y(), 0};
   // On end: the front points up or down and tells nothing.
   constexpr double kOnEnd = 1e-6;
-  spot.heading = front.head<2>().norm() > kOnEnd
-                     ? std::atan2(-front.x(), front.y())
-                     : std::atan2(right.y(), right.x());
+  spot.heading = front.head<2>().norm() > kOnEnd ? Atan2(-front.x(), front.y())
+                                                 : Atan2(right.y(), right.x());
   return spot;
 }
 

@@ -30,6 +30,9 @@ struct Spot {
   double heading = 0;   ///< rad, counter-clockwise from +y (uphill)
 };
 
+/// The turn about the vertical by `angle`, rad.
+Eigen::Matrix3d Heading(double angle);
+
 /// The turn that takes the vertical to the normal of the ground's plane by the
 /// shortest way.
 Eigen::Matrix3d AlignedAxes(const Terrain& terrain);

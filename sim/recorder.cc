@@ -1,19 +1,18 @@
 #include "sim/recorder.h"
 
 #include <cassert>
-#include <cmath>
 #include <utility>
 
+#include "sim/maths/arc.h"
+#include "sim/maths/hypot.h"
 #include "sim/world.h"
 
 namespace plsc {
 
 Eigen::Vector3d RollPitchYaw(const Eigen::Matrix3d& axes) {
   // Not asin: rounding may take an element of a rotation beyond 1.
-  const double pitch =
-      std::atan2(-axes(2, 0), std::hypot(axes(0, 0), axes(1, 0)));
-  return {std::atan2(axes(2, 1), axes(2, 2)), pitch,
-          std::atan2(axes(1, 0), axes(0, 0))};
+  const double pitch = Atan2(-axes(2, 0), Hypot(axes(0, 0), axes(1, 0)));
+  return {Atan2(axes(2, 1), axes(2, 2)), pitch, Atan2(axes(1, 0), axes(0, 0))};
 }
 
 Recorder::Recorder(const World& world, Eigen::Index samples, double interval) {

@@ -24,6 +24,7 @@
 #include <utility>
 
 #include "compiler/alphabet.h"
+#include "sim/maths/exponential.h"
 
 namespace plsc {
 
@@ -128,7 +129,7 @@ double Symmetry(const Cells& cells) {
 }
 
 double Sigmoid(double x) {
-  return 1 / (1 + std::exp(-x));
+  return 1 / (1 + Exp(-x));
 }
 
 double Median(std::vector<double> values) {

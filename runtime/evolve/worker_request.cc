@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cmath>
 #include <string_view>
 #include <utility>
 
@@ -54,7 +53,8 @@ double LongestSeason(const Scenario& scenario, const Season& season) {
                                   ? 0
                                   : std::min({physics.max_direct_links,
                                               scenario.max_links, kMaxModules});
-  const double direct = 0.021 * std::pow(direct_links / 60, 4);
+  const double square = direct_links / 60 * (direct_links / 60);
+  const double direct = 0.021 * square * square;
   const double steps = season.duration / physics.step;
   return std::max(season.duration, steps * std::max(iterative, direct));
 }

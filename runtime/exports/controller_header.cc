@@ -1,6 +1,6 @@
 // sim/controller.cc once more, as C99 text. The expressions and the order of
-// additions are those of the simulator, so that outputs are equal bit for bit
-// where the sine is: whoever changes one must change the other, and a test
+// additions are those of the simulator, so that outputs are equal bit for bit:
+// whoever changes one must change the other, and a test
 // compiles the header and compares. Names begin with the robot's own, as
 // several may be included in one program ('@' in the texts below), and nothing
 // a user wrote can end a comment or a line (InComment).
@@ -13,6 +13,7 @@
 #include <numbers>
 
 #include "runtime/exports/controller_tables.h"
+#include "runtime/exports/sine_in_c.h"
 #include "runtime/scenario/scenario_physics.h"
 #include "sim/controller.h"
 
@@ -69,6 +70,8 @@ constexpr const char* kUse = R"( *
  * That is `controller: coupled`. @_oscillate(time, outputs)
  * in place of _update leaves touch and loops out (`controller: open_loop`).
  * For motors that take angles, _target is the angle that a servo strives for.
+ * Results are those of plsc, bit for bit, where the compiler does not join
+ * multiplications and additions (-ffp-contract=off).
 )";
 
 /// Which of the two plsc ran, and when.
@@ -120,7 +123,8 @@ static inline double @_clamp(double value, double low, double high) {
 static inline double @_oscillation(int oscillator, double time) {
   const @_oscillator* one = &@_oscillator_table[oscillator];
   const double turns = time / one->period - one->phase_offset;
-  return 0.5 + one->amplitude / 2 * sin(@_two_pi * turns);
+  const double part = turns - round(turns);
+  return 0.5 + one->amplitude / 2 * @_sine(@_two_pi * part);
 }
 
 static inline void @_reset(@_state* state) {
@@ -252,7 +256,7 @@ std::string ControllerHeader(const RobotModel& model) {
       "#ifndef @_CONTROLLER_H\n#define @_CONTROLLER_H\n\n"
       "#include <math.h>\n\n" +
       Sizes(model, tables) + kTypes + Constants(model.options.servo) +
-      Tables(tables) + kFunctions + "\n#endif\n";
+      Tables(tables) + kSineInC + kFunctions + "\n#endif\n";
   return "/* " + InComment(NotesOn(model)) + "\n" +
          Named(body, NamesInC(model));
 }

@@ -3,7 +3,7 @@
 // The controller of a robot as one C99 header that needs nothing but <math.h>:
 // its tables and the functions that turn time, touch and joint angles into the
 // speeds of servos, operation by operation as sim/controller does, so that
-// outputs are bit-equal where the sine is.
+// outputs are equal bit for bit.
 
 #include <string>
 

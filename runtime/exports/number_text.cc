@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "grammar/number.h"
+#include "sim/maths/arc.h"
+#include "sim/maths/hypot.h"
 
 namespace plsc {
 
@@ -24,13 +26,12 @@ std::string QuaternionText(const Eigen::Matrix3d& axes) {
 }
 
 Eigen::Vector3d FixedAngles(const Eigen::Matrix3d& axes) {
-  const double level = std::hypot(axes(0, 0), axes(1, 0));
-  const double pitch = std::atan2(-axes(2, 0), level);
+  const double level = Hypot(axes(0, 0), axes(1, 0));
+  const double pitch = Atan2(-axes(2, 0), level);
   // The turns of modules are whole quarters, exact to 1e-16.
   constexpr double kUpright = 1e-9;
-  if (level < kUpright) return {0, pitch, std::atan2(-axes(0, 1), axes(1, 1))};
-  return {std::atan2(axes(2, 1), axes(2, 2)), pitch,
-          std::atan2(axes(1, 0), axes(0, 0))};
+  if (level < kUpright) return {0, pitch, Atan2(-axes(0, 1), axes(1, 1))};
+  return {Atan2(axes(2, 1), axes(2, 2)), pitch, Atan2(axes(1, 0), axes(0, 0))};
 }
 
 }  // namespace plsc

@@ -110,7 +110,9 @@ std::string GroundSvg(const Terrain& terrain, const MapView& view) {
 
 double RoundLength(double pixels, double scale) {
   const double most = pixels / scale;
-  const double power = std::pow(10, std::floor(std::log10(most)));
+  double power = 1;
+  while (power > most && power > 1e-300) power /= 10;
+  while (power * 10 <= most && power < 1e300) power *= 10;
   for (const double factor : {5.0, 2.0})
     if (factor * power <= most) return factor * power;
   return power;

@@ -6,6 +6,8 @@
 #include <cassert>
 #include <cmath>
 
+#include "sim/maths/exponential.h"
+
 namespace plsc {
 
 std::uint64_t Rng::Next() {
@@ -46,14 +48,13 @@ std::size_t Rng::Index(std::size_t count) {
 double Rng::Normal() {
   // Ratio of uniforms (Kinderman and Monahan 1977): of a point (u, v) uniform
   // in 0 < u <= 1, |v| <= sqrt(2/e), v/u is normal when u <= exp(-x^2/4). The
-  // result is one division; the logarithm, whose last bit depends on the
-  // C library, only decides whether to accept.
+  // result is one division; the logarithm only decides whether to accept.
   constexpr double kHalfWidth = 0.8577638849607068;  // sqrt(2/e)
   while (true) {
     const double u = 1 - Uniform();  // (0, 1]
     const double v = (2 * Uniform() - 1) * kHalfWidth;
     const double x = v / u;
-    if (x * x <= -4 * std::log(u)) return x;
+    if (x * x <= -4 * Log(u)) return x;
   }
 }
 

@@ -179,8 +179,9 @@ void Collider::Push(int link, const FewContacts& points, std::uint64_t kind) {
 void Collider::FindGround(const State& state, int link,
                           std::vector<bool>& touched) {
   const auto k = static_cast<std::size_t>(link);
-  const LinkPose pose = {state.base + state.links[k].place,
-                         state.links[k].axes};
+  const LinkState& own = state.links[k];
+  if (!field_ && state.base.z() + own.place.z() > corners_[k].radius) return;
+  const LinkPose pose = {state.base + own.place, own.axes};
   found_.clear();
   if (field_) {
     AppendRoughContacts(corners_[k], pose, *field_, found_);

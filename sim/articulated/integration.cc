@@ -25,13 +25,13 @@ constexpr double kDampedFrom = 0.01;
 constexpr double kGentle = 0.1;
 
 /// Of the next step: what this one bent, turned on with the link.
-void Bend(double step, LinkState& own) {
+void Bend(double step, double rate, LinkState& own) {
   if (own.spin.squaredNorm() * step * step > kGentle * kGentle) {
     own.bend.setZero();
     own.gyration.setZero();
     return;
   }
-  const Vector3d bent = own.drift / step + own.bend;
+  const Vector3d bent = rate * own.drift + own.bend;
   own.bend = bent + step * own.spin.cross(bent);
   own.gyration = step / 2 * own.spin.cross(own.turning);
 }
@@ -82,20 +82,21 @@ double Move(const Model& model, const std::vector<double>& targets,
     own.angle += step * speed;
     fastest = std::max(fastest, std::abs(speed));
   }
-  const Eigen::Quaterniond rate =
+  const Eigen::Quaterniond turning =
       Eigen::Quaterniond(0, w.x(), w.y(), w.z()) * state.turned;
-  state.turned.coeffs() += step / 2 * rate.coeffs();
+  state.turned.coeffs() += step / 2 * turning.coeffs();
   state.turned.normalize();
   const Vector3d moment = state.moment;
   Place(model, state);
   const Vector3d moved =
       (moment - state.moment + step * momentum) / model.mass();
   state.base += moved;
+  const double rate = 1 / step;
   Vector3d sum = Vector3d::Zero();
   for (std::size_t k = 0; k < state.links.size(); ++k) {
     LinkState& own = state.links[k];
     own.drift -= moved + own.place;
-    Bend(step, own);
+    Bend(step, rate, own);
     sum += model.links()[k].mass * own.bend;
   }
   // Bends are forces within the robot: none on the whole.

@@ -141,6 +141,7 @@ bool Motors::FreeOverloaded(Phase phase, const Step& step) {
   const Eigen::Vector3d velocity{problem.Unknown(3), problem.Unknown(4),
                                  problem.Unknown(5)};
   const Spatial base{spin, velocity};
+  const double rate = 1 / physics_.step;
   const std::size_t known = free_.size();
   for (std::size_t k = wrenches_.size(); k-- > 1;) {
     const LinkMomenta& own = step.momenta[k];
@@ -155,7 +156,7 @@ bool Motors::FreeOverloaded(Phase phase, const Step& step) {
       momentum += Coupling(model_, step.momenta, link, free_[i].link) *
                   problem.Unknown(free_[i].unknown);
     const double torque =
-        (momentum - own.aim) / physics_.step - own.motion.dot(wrenches_[k]);
+        rate * (momentum - own.aim) - own.motion.dot(wrenches_[k]);
     if (torque > servo_.max_torque) MakeFree(link, Hold::kHigh, step);
     if (torque < -servo_.max_torque) MakeFree(link, Hold::kLow, step);
   }

@@ -23,8 +23,8 @@
 //
 // A contact acts on the base at one point d along three directions e, so its
 // rows (d x e, e) share K = sum e e' / c, and add K, [d]K and -[d]K[d]: on the
-// plane K is diagonal, and all of it 24 products. Joints' columns are few, and
-// most of their effects zero.
+// plane K is diagonal, and all of it some 20 products. Joints' columns are few,
+// and most of their effects zero.
 
 #include "sim/articulated/problem.h"
 
@@ -71,35 +71,48 @@ Share ShareOf(const Row& row) {
 }
 
 /// Sums over contacts with the ground of K, [d] K, -[d] K [d], of pulls and of
-/// their moments.
+/// their moments; the symmetric ones' lower halves.
 struct BaseSums {
-  Matrix3d linear = Matrix3d::Zero();   ///< K, symmetric: the lower half
-  Matrix3d mixed = Matrix3d::Zero();    ///< rows: velocity, columns: spin
-  Matrix3d angular = Matrix3d::Zero();  ///< symmetric: the lower half
+  Matrix3d linear = Matrix3d::Zero();
+  Matrix3d mixed = Matrix3d::Zero();  ///< rows: velocity, columns: spin
+  Matrix3d angular = Matrix3d::Zero();
   Vector3d pull = Vector3d::Zero();
   Vector3d moment = Vector3d::Zero();
 
-  void AddPlane(const Vector3d& d, const Share& z, const Share& x,
-                const Share& y) {
-    const Vector3d k(x.weight, y.weight, z.weight);
-    const Vector3d f(x.pull, y.pull, z.pull);
-    linear.diagonal() += k;
-    // K (w x d)
-    mixed(0, 1) += k.x() * d.z();
-    mixed(0, 2) -= k.x() * d.y();
-    mixed(1, 0) -= k.y() * d.z();
-    mixed(1, 2) += k.y() * d.x();
-    mixed(2, 0) += k.z() * d.y();
-    mixed(2, 1) -= k.z() * d.x();
-    // d x K (w x d)
-    angular(0, 0) += k.z() * d.y() * d.y() + k.y() * d.z() * d.z();
-    angular(1, 1) += k.z() * d.x() * d.x() + k.x() * d.z() * d.z();
-    angular(2, 2) += k.y() * d.x() * d.x() + k.x() * d.y() * d.y();
-    angular(1, 0) -= k.z() * d.x() * d.y();
-    angular(2, 0) -= k.y() * d.x() * d.z();
-    angular(2, 1) -= k.x() * d.y() * d.z();
-    pull += f;
-    moment += d.cross(f);
+  /// On the plane, along z: (d_y, -d_x, 0; 0, 0, 1).
+  void AddNormal(const Vector3d& d, const Share& z) {
+    const double kx = z.weight * d.x(), ky = z.weight * d.y();
+    linear(2, 2) += z.weight;
+    mixed(2, 0) += ky;
+    mixed(2, 1) -= kx;
+    angular(0, 0) += ky * d.y();
+    angular(1, 0) -= kx * d.y();
+    angular(1, 1) += kx * d.x();
+    pull.z() += z.pull;
+    moment.x() += z.pull * d.y();
+    moment.y() -= z.pull * d.x();
+  }
+
+  /// Likewise along x, (0, d_z, -d_y; 1, 0, 0), and y, (-d_z, 0, d_x; 0, 1, 0).
+  void AddFriction(const Vector3d& d, const Share& x, const Share& y) {
+    const double xy = x.weight * d.y(), xz = x.weight * d.z();
+    const double yx = y.weight * d.x(), yz = y.weight * d.z();
+    linear(0, 0) += x.weight;
+    linear(1, 1) += y.weight;
+    mixed(0, 1) += xz;
+    mixed(0, 2) -= xy;
+    mixed(1, 0) -= yz;
+    mixed(1, 2) += yx;
+    angular(0, 0) += yz * d.z();
+    angular(1, 1) += xz * d.z();
+    angular(2, 0) -= yz * d.x();
+    angular(2, 1) -= xz * d.y();
+    angular(2, 2) += yx * d.x() + xy * d.y();
+    pull.x() += x.pull;
+    pull.y() += y.pull;
+    moment.x() -= y.pull * d.z();
+    moment.y() += x.pull * d.z();
+    moment.z() += y.pull * d.x() - x.pull * d.y();
   }
 
   void AddRow(const Vector3d& d, const Vector3d& e, const Share& share) {
@@ -128,6 +141,7 @@ Problem::Problem(std::size_t joints, std::size_t contacts, double step)
 
 void Problem::Begin() {
   size_ = kBase;
+  is_on_planes_ = true;
   grips_.clear();
   rows_.clear();
   std::fill_n(unknowns_.begin(), kBase, 0.0);
@@ -135,6 +149,7 @@ void Problem::Begin() {
 
 void Problem::AddContact(const Grip& grip) {
   grips_.push_back(grip);
+  if (grip.kind == Grip::Kind::kAny) is_on_planes_ = false;
   rows_.resize(3 * grips_.size());
   if (rows_.size() <= most_rows_) return;
   // More than any robot was seen to have: no effects are filed as yet.
@@ -187,10 +202,10 @@ void Problem::Newton(Phase phase) {
   FillBase(phase);
   for (int unknown = kBase; unknown < size_; ++unknown)
     FillJoint(phase, unknown);
-  if (size_ == kBase) {
+  if (size_ == kBase && is_on_planes_) {
     SolveOfBase(matrix_.data(), stride_, next_.data());
   } else {
-    SolveOfSize(size_, matrix_.data(), stride_, next_.data());
+    SolveSystem(size_, matrix_.data(), stride_, next_.data());
   }
 }
 
@@ -202,15 +217,15 @@ void Problem::FillBase(Phase phase) {
     if (grip.kind == Grip::Kind::kBetween) continue;
     const Share normal = ShareOf(rows[0]);
     if (grip.kind == Grip::Kind::kPlane) {
-      sums.AddPlane(grip.point, normal,
-                    phase == kPressing ? Share{} : ShareOf(rows[1]),
-                    phase == kPressing ? Share{} : ShareOf(rows[2]));
-    } else {
-      sums.AddRow(grip.point, grip.directions[0], normal);
-      if (phase == kPressing) continue;
-      sums.AddRow(grip.point, grip.directions[1], ShareOf(rows[1]));
-      sums.AddRow(grip.point, grip.directions[2], ShareOf(rows[2]));
+      sums.AddNormal(grip.point, normal);
+      if (phase == kRubbing)
+        sums.AddFriction(grip.point, ShareOf(rows[1]), ShareOf(rows[2]));
+      continue;
     }
+    sums.AddRow(grip.point, grip.directions[0], normal);
+    if (phase == kPressing) continue;
+    sums.AddRow(grip.point, grip.directions[1], ShareOf(rows[1]));
+    sums.AddRow(grip.point, grip.directions[2], ShareOf(rows[2]));
   }
   for (int r = 0; r < 3; ++r) {
     for (int c = 0; c <= r; ++c) {

@@ -135,6 +135,7 @@ class Problem {
   std::size_t most_rows_ = 0;  ///< of contacts, with memory for effects
   int size_ = kBase;
   int rounds_ = 0;
+  bool is_on_planes_ = true;  ///< all contacts that the base feels
   double residual_ = 0;
   std::vector<double> mass_, aim_;
   std::vector<Grip> grips_;

@@ -24,16 +24,11 @@
 namespace plsc {
 namespace {
 
-constexpr double kEighthTurns[] = {0,
-                                   0,
-                                   0x1.921fb54442d18p-1,
-                                   0x1.1a62633145c07p-55,
-                                   0x1.921fb54442d18p+0,
-                                   0x1.1a62633145c07p-54,
-                                   0x1.2d97c7f3321d2p+1,
-                                   0x1.a79394c9e8a0ap-54,
-                                   0x1.921fb54442d18p+1,
-                                   0x1.1a62633145c07p-53};
+constexpr Two kEighthTurns[] = {{0, 0},
+                                {0x1.921fb54442d18p-1, 0x1.1a62633145c07p-55},
+                                {0x1.921fb54442d18p+0, 0x1.1a62633145c07p-54},
+                                {0x1.2d97c7f3321d2p+1, 0x1.a79394c9e8a0ap-54},
+                                {0x1.921fb54442d18p+1, 0x1.1a62633145c07p-53}};
 constexpr double kTanOfSixteenth = 0x1.a827999fcef32p-2;
 constexpr double kArc[] = {
     0x1.5555555555555p-2,  -0x1.9999999999953p-3, 0x1.249249248d7eep-3,
@@ -46,9 +41,9 @@ constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 double Turned(int eighths, double direction, Two u) {
   const double z = u.value * u.value;
   const double less = u.value * z * Polynomial(kArc, z) - u.rest / (1 + z);
-  const double* base = kEighthTurns + 2 * eighths;
-  const Two most = Sum(base[0], direction * u.value);
-  return most.value + (most.rest + (base[1] - direction * less));
+  const Two base = kEighthTurns[eighths];
+  const Two most = Sum(base.value, direction * u.value);
+  return most.value + (most.rest + (base.rest - direction * less));
 }
 
 /// eighths pi/4 + direction atan(n / d), 0 <= n <= d.

@@ -1,6 +1,6 @@
 #pragma once
 
-// Arc tangent and arc cosine, of the same bits on every machine; within 0.6
+// Arc tangent and arc cosine, of the same bits on every machine; within 0.7
 // units in the last place. Zeros, infinities and what is no number as C's
 // functions have them.
 

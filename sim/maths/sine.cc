@@ -3,11 +3,11 @@
 // mod 4. As x may come close to a multiple of pi/2, where r has few of its
 // bits, r is a value and a rest (two.h).
 //
-// Up to 2^20: n has at most 20 bits, and pi/2 is the sum of P_0 and P_1 of 33
-// bits each, so that n P_0, n P_1 are exact, and of P_2; x - n P_0 is exact as
-// well, both being within a factor of two or multiples of one small power of
-// two. What is left out is n 2^-122, and rounding n P_2: together 2^-99,
-// against an r of at least 2^-45 or so in this range.
+// Up to 2^20: n has at most 20 bits, and pi/2 is the sum of P_0, P_1 and P_2 of
+// 33 bits each, so that n P_i is exact, and of P_3, which is small against the
+// rest; x - n P_0 is exact as well, both being within a factor of two or
+// multiples of one small power of two. What is left out is n 2^-155, rounding n
+// P_3 as much: 2^-135, against an r of at least 2^-60 (that of n = 29).
 //
 // Beyond: only x 2/pi mod 4 is of interest (Payne and Hanek 1983). x is an
 // integer M times 2^(32 q), 2/pi is words w_i of 2^(-32 (i+1)), and of the
@@ -20,8 +20,8 @@
 // with S and C the interpolants in the Chebyshev nodes of [0, (pi/4)^2]
 // (tests/sim/maths/coefficients.py): S is within 2.0e-17, which is 1.2e-17 of
 // the sine, and C within 1.4e-18. A rest d of r changes them by d cos r and by
-// -d sin r, of which 1 - z/2 and r are enough. Largest errors seen: see the
-// tests.
+// -d sin r, of which 1 - z/2 and r are enough. Of the errors seen, up to 0.87
+// units in the last place, most is the rounding of z/2 near pi/4.
 
 #include "sim/maths/sine.h"
 
@@ -36,7 +36,7 @@ namespace plsc {
 namespace {
 
 constexpr double kHalfPi[] = {0x1.921fb544p+0, 0x1.0b4611a6p-34,
-                              0x1.3198a2e037073p-69};
+                              0x1.3198a2ep-69, 0x1.b839a252049c1p-104};
 constexpr double kTwoOverPi = 0x1.45f306dc9c883p-1;
 constexpr Two kQuarterTurn = {0x1.921fb54442d18p+0, 0x1.1a62633145c07p-54};
 constexpr std::uint32_t kWords[] = {
@@ -70,7 +70,8 @@ Reduced ReduceWithParts(double x) {
   const int n = static_cast<int>(x * kTwoOverPi + (x < 0 ? -0.5 : 0.5));
   const Two first = Sum(x - n * kHalfPi[0], -n * kHalfPi[1]);
   const Two second = Sum(first.value, -n * kHalfPi[2]);
-  return {{second.value, first.rest + second.rest}, static_cast<unsigned>(n)};
+  return {{second.value, first.rest + (second.rest - n * kHalfPi[3])},
+          static_cast<unsigned>(n)};
 }
 
 /// Of a finite x >= 2^20.

@@ -9,8 +9,9 @@
 namespace plsc::test {
 
 /// No gravity, no air, 100 m above the ground.
-inline SimulationOptions FreeFlight() {
+inline SimulationOptions FreeFlight(EngineKind engine) {
   SimulationOptions options;
+  options.physics.engine = engine;
   options.start_height = 100;
   options.physics.gravity = 0;
   options.physics.damping = 0;

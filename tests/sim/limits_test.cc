@@ -8,13 +8,14 @@
 
 #include "sim/simulate.h"
 #include "tests/sim/bodies.h"
+#include "tests/sim/engines.h"
 #include "tests/sim/terrains.h"
 
 namespace plsc {
 namespace {
 
-SimulationOptions Second() {
-  SimulationOptions options;
+SimulationOptions Second(EngineKind engine) {
+  SimulationOptions options = test::With(engine);
   options.duration = 1;
   return options;
 }
@@ -33,6 +34,8 @@ Body Comb(int pairs) {
 
 TEST_CASE("Lives that cannot be lived have an outcome and a reason",
           "[limits]") {
+  const EngineKind engine = test::EachEngine();
+  CAPTURE(engine);
   struct Row {
     const char* why;
     void (*change)(SimulationOptions&);
@@ -82,10 +85,10 @@ TEST_CASE("Lives that cannot be lived have an outcome and a reason",
        Outcome::kFellThrough, "below the ground"},
   };
   const Phenotype robot = WithOscillators(Cross(), 1, 2);
-  const std::uint64_t healthy = Simulate(robot, {}, Second()).state_hash;
+  const std::uint64_t healthy = Simulate(robot, {}, Second(engine)).state_hash;
   for (const Row& row : rows) {
     INFO(row.why);
-    SimulationOptions options = Second();
+    SimulationOptions options = Second(engine);
     row.change(options);
     const Trajectory life = Simulate(robot, {}, options);
     INFO(life.reason);
@@ -95,18 +98,20 @@ TEST_CASE("Lives that cannot be lived have an outcome and a reason",
     CHECK(life.core_position.allFinite());
     // The same again, and the next robot is as if nothing had been.
     CHECK(Simulate(robot, {}, options).reason == life.reason);
-    CHECK(Simulate(robot, {}, Second()).state_hash == healthy);
+    CHECK(Simulate(robot, {}, Second(engine)).state_hash == healthy);
   }
 }
 
 TEST_CASE("Worlds go wrong on every ground in the same way", "[limits]") {
+  const EngineKind engine = test::EachEngine();
+  CAPTURE(engine);
   const Phenotype robot = WithOscillators(Cross(), 1, 2);
   for (const Terrain& terrain : test::AllTerrains()) {
     INFO(static_cast<int>(terrain.type));
-    SimulationOptions options = Second();
+    SimulationOptions options = Second(engine);
     options.physics.gravity = NAN;
     CHECK(Simulate(robot, terrain, options).outcome == Outcome::kUnstable);
-    options = Second();
+    options = Second(engine);
     options.duration = 2;
     options.physics.ground_kp = options.physics.ground_kd = 1e-9;
     options.physics.robot_kd = 0;
@@ -117,12 +122,14 @@ TEST_CASE("Worlds go wrong on every ground in the same way", "[limits]") {
 }
 
 TEST_CASE("A solver that fails too often ends the life", "[limits]") {
-  // Contacts that do not slip at all over-determine the robot's place.
-  const Phenotype robot = WithOscillators(Cross(), 1, 2);
-  SimulationOptions options = Second();
+  // Contacts that do not slip at all over-determine the robot's place. For
+  // ODE's solver alone: what the articulated engine solves has one solution for
+  // any slip and friction, and no way was found to make it fail.
+  const Phenotype robot = WithOscillators(Cross(), 0.5, 2);
+  SimulationOptions options = Second(EngineKind::kOde);
   options.duration = 5;
   options.physics.slip = 0;
-  options.physics.friction = 1000;
+  options.physics.friction = 10;
   options.physics.max_solver_failures = 1e9;
   const Trajectory all = Simulate(robot, {}, options);
   INFO(all.solver_warnings);
@@ -139,9 +146,11 @@ TEST_CASE("A solver that fails too often ends the life", "[limits]") {
 
 TEST_CASE("Robots of 1,000 modules and 500 joints have an outcome",
           "[limits]") {
+  const EngineKind engine = test::EachEngine();
+  CAPTURE(engine);
   const Phenotype robot = WithOscillators(Comb(500), 1, 2);
   REQUIRE(robot.body.modules.size() == 1001);
-  SimulationOptions options = Second();
+  SimulationOptions options = Second(engine);
   const Trajectory refused = Simulate(robot, {}, options);
   CHECK(refused.outcome == Outcome::kTooLarge);
   CHECK(refused.reason == "501 links, more than max_links, 256");
@@ -157,11 +166,13 @@ TEST_CASE("Robots of 1,000 modules and 500 joints have an outcome",
 }
 
 TEST_CASE("A thousand bricks are one link", "[limits]") {
+  const EngineKind engine = test::EachEngine();
+  CAPTURE(engine);
   Body chain = LoneCore();
   int end = 0;
   for (int i = 1; i < 1000; ++i)
     end = Mount(chain, end, Slot::kFront, ModuleType::kBrick);
-  SimulationOptions options = Second();
+  SimulationOptions options = Second(engine);
   options.duration = 0.5;
   for (const Terrain& terrain : test::AllTerrains()) {
     options.start_height.reset();

@@ -5,6 +5,7 @@
 
 #include "sim/assembly.h"
 #include "tests/sim/bodies.h"
+#include "tests/sim/engines.h"
 #include "tests/sim/terrains.h"
 
 namespace plsc {
@@ -12,17 +13,20 @@ namespace {
 
 using Eigen::Vector3d;
 
-SimulationOptions OneSecond() {
-  SimulationOptions options;
+SimulationOptions OneSecond(EngineKind engine) {
+  SimulationOptions options = test::With(engine);
   options.duration = 1;
   options.start_height.reset();
   return options;
 }
 
 TEST_CASE("A ground that tilts carries the robot along", "[passage]") {
+  const EngineKind engine = test::EachEngine();
+  CAPTURE(engine);
   const Phenotype robot = WithOscillators(Cross(), 1, 2);
   const Terrain flat, slope = test::Slope(5);
-  const Lived before = Live(robot, flat, OneSecond(), {0, {0.4, 1.2, 0.3}, {}});
+  const Lived before =
+      Live(robot, flat, OneSecond(engine), {0, {0.4, 1.2, 0.3}, {}});
   REQUIRE(before.trajectory.outcome == Outcome::kCompleted);
   const LifeState after = Carry(before.end, robot, {flat, slope, 1e-4});
   const Vector3d normal(0, -std::sin(slope.tilt), std::cos(slope.tilt));
@@ -41,8 +45,11 @@ TEST_CASE("A ground that tilts carries the robot along", "[passage]") {
 
 TEST_CASE("On ground that is no plane the robot is put down anew",
           "[passage]") {
+  const EngineKind engine = test::EachEngine();
+  CAPTURE(engine);
   const Phenotype robot = WithOscillators(Cross(), 1, 2);
-  const Lived before = Live(robot, {}, OneSecond(), {0, {0.4, 1.2, 0.3}, {}});
+  const Lived before =
+      Live(robot, {}, OneSecond(engine), {0, {0.4, 1.2, 0.3}, {}});
   for (const Terrain& to : test::AllTerrains()) {
     if (to.type == TerrainType::kFlat || to.type == TerrainType::kTilted)
       continue;
@@ -51,22 +58,24 @@ TEST_CASE("On ground that is no plane the robot is put down anew",
     CHECK(after.poses[3].position.z() - before.end.poses[3].position.z() ==
           Approx(lift));
     // It lands on it within the first steps and not in it.
-    const Lived next = Live(robot, to, OneSecond(), {0, {}, &after});
+    const Lived next = Live(robot, to, OneSecond(engine), {0, {}, &after});
     CHECK(next.trajectory.outcome == Outcome::kCompleted);
     CHECK(next.trajectory.contacts.tail(3).minCoeff() > 0);
   }
 }
 
 TEST_CASE("A life in two seasons is the life in one", "[passage]") {
+  const EngineKind engine = test::EachEngine();
+  CAPTURE(engine);
   // Bits apart only by what is not part of the state: rotations are kept as
   // quaternions, and touch is felt anew.
   const Phenotype robot = WithOscillators(Cross(), 1, 2);
-  SimulationOptions whole = OneSecond();
+  SimulationOptions whole = OneSecond(engine);
   whole.duration = 2;
   const Lived straight = Live(robot, {}, whole, {});
-  const Lived first = Live(robot, {}, OneSecond(), {});
+  const Lived first = Live(robot, {}, OneSecond(engine), {});
   const LifeState carried = Carry(first.end, robot, {{}, {}, 1e-4});
-  const Lived second = Live(robot, {}, OneSecond(), {0, {}, &carried});
+  const Lived second = Live(robot, {}, OneSecond(engine), {0, {}, &carried});
   CHECK(second.trajectory.time(0) == Approx(1));
   CHECK(second.end.time == Approx(2));
   CHECK((second.end.core.position - straight.end.core.position).norm() < 1e-4);

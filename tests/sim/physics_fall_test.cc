@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "tests/sim/bodies.h"
+#include "tests/sim/engines.h"
 #include "tests/sim/free_flight.h"
 
 namespace plsc {
@@ -14,6 +15,8 @@ namespace {
 constexpr double kRounding = 1e-12;
 
 TEST_CASE("All links fall by the sum of their steps", "[physics]") {
+  const EngineKind engine = test::EachEngine();
+  CAPTURE(engine);
   struct Row {
     const char* why;
     Body body;
@@ -27,7 +30,7 @@ TEST_CASE("All links fall by the sum of their steps", "[physics]") {
   constexpr int kSteps = 400;
   for (const Row& row : rows) {
     INFO(row.why);
-    SimulationOptions options = test::FreeFlight();
+    SimulationOptions options = test::FreeFlight(engine);
     options.physics.gravity = 9.8;
     options.physics.step = row.step;
     World world(Assemble(row.body), {}, options);

@@ -5,6 +5,7 @@
 
 #include "sim/world.h"
 #include "tests/sim/bodies.h"
+#include "tests/sim/engines.h"
 #include "tests/sim/terrains.h"
 
 namespace plsc {
@@ -22,9 +23,9 @@ struct Slide {
   double first = 0, second = 0;
 };
 
-Slide SlideDown(double degrees, double friction) {
+Slide SlideDown(EngineKind engine, double degrees, double friction) {
   const Terrain slope = test::Slope(degrees);
-  SimulationOptions options;
+  SimulationOptions options = test::With(engine);
   options.start_height.reset();  // at rest on the slope
   options.physics.gravity = kGravity;
   options.physics.friction = friction;
@@ -44,6 +45,8 @@ Slide SlideDown(double degrees, double friction) {
 
 TEST_CASE("A block holds on slopes up to its friction and slides beyond",
           "[physics]") {
+  const EngineKind engine = test::EachEngine();
+  CAPTURE(engine);
   // Friction is a pyramid with an edge up the slope, so the limit is tan(tilt)
   // there. 2 % on either side of it.
   constexpr double kMargin = 0.02;
@@ -56,27 +59,31 @@ TEST_CASE("A block holds on slopes up to its friction and slides beyond",
     const double pull = kGravity * std::sin(tilt);  // m/s2
 
     // a = g (sin - mu cos)
-    const Slide beyond = SlideDown(degrees, (1 - kMargin) * std::tan(tilt));
+    const Slide beyond =
+        SlideDown(engine, degrees, (1 - kMargin) * std::tan(tilt));
     CHECK(beyond.second - beyond.first ==
           Approx(kMargin * pull).margin(kOfPull * pull));
 
     // Held, but for the slip of its contacts: 4 of them share the pull. Evenly
     // though those below carry more, as ODE's friction limits are of normal
     // forces before friction acts.
-    const Slide below = SlideDown(degrees, (1 + kMargin) * std::tan(tilt));
+    const Slide below =
+        SlideDown(engine, degrees, (1 + kMargin) * std::tan(tilt));
     CHECK(below.second == Approx(kSlip * kMass * pull / 4).epsilon(1e-3));
     CHECK(std::abs(below.second - below.first) < kOfPull * pull);
   }
 }
 
 TEST_CASE("Without slip a block below its friction limit stays", "[physics]") {
+  const EngineKind engine = test::EachEngine();
+  CAPTURE(engine);
   // m/s; 100 s of it are the thickness of a hair.
   constexpr double kStill = 1e-6;
   for (const double degrees : {5.0, 15.0, 30.0}) {
     CAPTURE(degrees);
     const double tilt = degrees * M_PI / 180;
     const Terrain slope = test::Slope(degrees);
-    SimulationOptions options;
+    SimulationOptions options = test::With(engine);
     options.start_height.reset();
     options.physics.friction = 1.02 * std::tan(tilt);
     options.physics.slip = 0;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "sim/world.h"
+#include "tests/sim/engines.h"
 
 namespace plsc {
 namespace {
@@ -47,8 +48,8 @@ Assembly Pendulum(double amplitude) {
   return pendulum;
 }
 
-SimulationOptions Swinging(double step) {
-  SimulationOptions options;
+SimulationOptions Swinging(EngineKind engine, double step) {
+  SimulationOptions options = test::With(engine);
   options.start_height = 0.5;  // the block stands on the ground
   options.physics.gravity = kPendulumGravity;
   options.physics.damping = 0;
@@ -74,6 +75,8 @@ std::vector<double> Passings(World& world, double lowest, double step,
 }
 
 TEST_CASE("A pendulum swings with the period of its length", "[physics]") {
+  const EngineKind engine = test::EachEngine();
+  CAPTURE(engine);
   struct Row {
     double amplitude;  // rad
     double step;       // s
@@ -92,7 +95,7 @@ TEST_CASE("A pendulum swings with the period of its length", "[physics]") {
         std::sqrt(about_hinge / (rod.mass * kPendulumGravity * kLength)) *
         (1 + a * a / 16 + 11 * std::pow(a, 4) / 3072 +
          173 * std::pow(a, 6) / 737280);
-    World world(pendulum, {}, Swinging(row.step));
+    World world(pendulum, {}, Swinging(engine, row.step));
     // Positive angles turn the rod towards -x; it starts at +x or -x of the
     // lowest point by the sign of its angle there.
     const double lowest = row.amplitude;

@@ -7,6 +7,7 @@
 
 #include "sim/simulate.h"
 #include "tests/sim/bodies.h"
+#include "tests/sim/engines.h"
 #include "tests/sim/free_flight.h"
 
 namespace plsc {
@@ -32,6 +33,8 @@ Phenotype Switched(double period) {
 
 TEST_CASE("A servo follows a step as its gain, clamp and rate say",
           "[physics]") {
+  const EngineKind engine = test::EachEngine();
+  CAPTURE(engine);
   struct Row {
     const char* why;
     Refresh refresh;
@@ -46,7 +49,7 @@ TEST_CASE("A servo follows a step as its gain, clamp and rate say",
   constexpr double kPeriod = 16;  // s
   for (const Row& row : rows) {
     INFO(row.why);
-    SimulationOptions options = test::FreeFlight();
+    SimulationOptions options = test::FreeFlight(engine);
     options.duration = 15;
     options.sample_interval = row.interval;
     options.servo.refresh = row.refresh;

@@ -9,16 +9,18 @@
 #include <vector>
 
 #include "tests/sim/bodies.h"
+#include "tests/sim/engines.h"
 
 namespace plsc {
 namespace {
 
-SimulationOptions Life(double duration) {
-  SimulationOptions options;
+SimulationOptions Life(EngineKind engine, double duration) {
+  SimulationOptions options = test::With(engine);
   options.duration = duration;
   return options;
 }
 
+constexpr EngineKind kOde = EngineKind::kOde;
 constexpr Terrain kSlope{TerrainType::kTilted, 5 * M_PI / 180};
 
 /// Four legs: left and right swing and lift, front and back lift in between.
@@ -48,8 +50,10 @@ Phenotype Walker(double lift) {
 }
 
 TEST_CASE("A life is sampled from start to end", "[simulate]") {
+  const EngineKind engine = test::EachEngine();
+  CAPTURE(engine);
   const Phenotype robot = WithOscillators(Cross(), 1, 2);
-  const Trajectory life = Simulate(robot, {}, Life(1.1));
+  const Trajectory life = Simulate(robot, {}, Life(engine, 1.1));
   CHECK(life.outcome == Outcome::kCompleted);
   CHECK(life.steps == 220);
   CHECK(life.interval == 0.2);
@@ -66,13 +70,15 @@ TEST_CASE("A life is sampled from start to end", "[simulate]") {
 }
 
 TEST_CASE("A joint follows its oscillator as a first-order lag", "[simulate]") {
+  const EngineKind engine = test::EachEngine();
+  CAPTURE(engine);
   // In free flight, joint against brick: the servo is strong enough there to
   // be at the speed it is told within a step. Updates at 8 Hz, each holding
   // speed = 0.9 (target - angle).
   Body body = LoneCore();
   Mount(body, 0, Slot::kFront, ModuleType::kHorizontalJoint);
   Phenotype robot = WithOscillators(body, 10, 8);
-  SimulationOptions options = Life(4);
+  SimulationOptions options = Life(engine, 4);
   options.physics.gravity = 0;
   options.start_height = 10;
   options.sample_interval = 0.125;
@@ -88,7 +94,9 @@ TEST_CASE("A joint follows its oscillator as a first-order lag", "[simulate]") {
 }
 
 TEST_CASE("Robots without joints fall and rest", "[simulate]") {
-  const Trajectory life = Simulate({LoneCore(), {}}, {}, Life(2));
+  const EngineKind engine = test::EachEngine();
+  CAPTURE(engine);
+  const Trajectory life = Simulate({LoneCore(), {}}, {}, Life(engine, 2));
   const Eigen::Index last = life.time.size() - 1;
   CHECK(life.outcome == Outcome::kCompleted);
   CHECK(life.joint_angle.rows() == 0);
@@ -98,6 +106,8 @@ TEST_CASE("Robots without joints fall and rest", "[simulate]") {
 }
 
 TEST_CASE("A robot that overlaps is not simulated", "[simulate]") {
+  const EngineKind engine = test::EachEngine();
+  CAPTURE(engine);
   // Four bricks in a ring, entered by two joints that do not share a link.
   Body body = LoneCore();
   const int a = Mount(body, 0, Slot::kFront, ModuleType::kVerticalJoint);
@@ -108,7 +118,7 @@ TEST_CASE("A robot that overlaps is not simulated", "[simulate]") {
   brick = Mount(body, b, Slot::kFront, ModuleType::kBrick);
   brick = Mount(body, brick, Slot::kLeft, ModuleType::kBrick);
   Mount(body, brick, Slot::kFront, ModuleType::kBrick);
-  const Trajectory life = Simulate({body, {}}, {}, Life(1));
+  const Trajectory life = Simulate({body, {}}, {}, Life(engine, 1));
   CHECK(life.outcome == Outcome::kOverlapping);
   CHECK(life.reason.find("intersect in the rest pose") != std::string::npos);
   CHECK(life.steps == 0);
@@ -117,7 +127,9 @@ TEST_CASE("A robot that overlaps is not simulated", "[simulate]") {
 }
 
 TEST_CASE("A life that goes wrong keeps what came before", "[simulate]") {
-  SimulationOptions options = Life(5);
+  const EngineKind engine = test::EachEngine();
+  CAPTURE(engine);
+  SimulationOptions options = Life(engine, 5);
   options.start_height = 1000;
   options.physics.gravity = 12.6;  // 50 m/s after 793.65 steps of fall
   options.physics.damping = 0;
@@ -130,8 +142,10 @@ TEST_CASE("A life that goes wrong keeps what came before", "[simulate]") {
 }
 
 TEST_CASE("A robot with legs walks the way they push", "[simulate]") {
+  const EngineKind engine = test::EachEngine();
+  CAPTURE(engine);
   for (const double lift : {0.25, 0.75}) {
-    const Trajectory life = Simulate(Walker(lift), {}, Life(20));
+    const Trajectory life = Simulate(Walker(lift), {}, Life(engine, 20));
     REQUIRE(life.outcome == Outcome::kCompleted);
     const Eigen::Vector3d end = life.core_position.col(life.time.size() - 1);
     // 0.34 m forward or 0.29 m backward when written; steps of 2.5 ms lead
@@ -142,14 +156,18 @@ TEST_CASE("A robot with legs walks the way they push", "[simulate]") {
 }
 
 TEST_CASE("The slope slows a climber", "[simulate]") {
-  const auto progress = [](const Terrain& terrain) {
-    const Trajectory life = Simulate(Walker(0.25), terrain, Life(20));
+  const EngineKind engine = test::EachEngine();
+  CAPTURE(engine);
+  const auto progress = [&](const Terrain& terrain) {
+    const Trajectory life = Simulate(Walker(0.25), terrain, Life(engine, 20));
     return life.core_position(1, life.time.size() - 1);
   };
   CHECK(progress(kSlope) < progress({}) - 0.02);
 }
 
 TEST_CASE("Touch and loops act in coupled mode only", "[simulate]") {
+  const EngineKind engine = test::EachEngine();
+  CAPTURE(engine);
   Body body = Cross();
   for (int brick = 2; brick <= 8; brick += 2)
     Mount(body, brick, Slot::kFront, ModuleType::kTouchSensor);
@@ -160,7 +178,7 @@ TEST_CASE("Touch and loops act in coupled mode only", "[simulate]") {
     robot.brain.nodes.push_back({NodeType::kInput, sensor, 0.5, 0, 0, 0});
     robot.brain.connections.push_back({sensor - 5, sensor - 9, 0.8});
   }
-  SimulationOptions open = Life(4), coupled = Life(4);
+  SimulationOptions open = Life(engine, 4), coupled = Life(engine, 4);
   coupled.controller = ControllerMode::kCoupled;
   const auto hash = [](const Phenotype& phenotype,
                        const SimulationOptions& options) {
@@ -172,17 +190,21 @@ TEST_CASE("Touch and loops act in coupled mode only", "[simulate]") {
 }
 
 TEST_CASE("Big bodies are simulated as others are", "[simulate]") {
+  const EngineKind engine = test::EachEngine();
+  CAPTURE(engine);
   Body chain = LoneCore();
   int end = 0;
   for (int i = 1; i < 200; ++i)
     end = Mount(chain, end, Slot::kFront,
                 i % 20 == 0 ? ModuleType::kVerticalJoint : ModuleType::kBrick);
-  const Trajectory life = Simulate(WithOscillators(chain, 2, 3), {}, Life(0.5));
+  const Trajectory life =
+      Simulate(WithOscillators(chain, 2, 3), {}, Life(engine, 0.5));
   CHECK(life.outcome == Outcome::kCompleted);
   CHECK(life.joint_angle.rows() == 9);
 }
 
 TEST_CASE("Robots of very many links are solved iteratively", "[simulate]") {
+  // By ODE; the articulated engine has one method for all.
   Body chain = LoneCore();
   int end = 0;
   for (int i = 1; i < 200; ++i)
@@ -190,9 +212,9 @@ TEST_CASE("Robots of very many links are solved iteratively", "[simulate]") {
         chain, end, Slot::kFront,
         i % 2 == 0 ? ModuleType::kVerticalJoint : ModuleType::kHorizontalJoint);
   const Phenotype robot = WithOscillators(chain, 2, 3);
-  SimulationOptions iterative = Life(0.1);
+  SimulationOptions iterative = Life(kOde, 0.1);
   iterative.physics.solver = Solver::kIterative;
-  const Trajectory life = Simulate(robot, {}, Life(0.1));
+  const Trajectory life = Simulate(robot, {}, Life(kOde, 0.1));
   CHECK(life.outcome == Outcome::kCompleted);
   CHECK(life.joint_angle.rows() == 199);
   CHECK(life.state_hash == Simulate(robot, {}, iterative).state_hash);
@@ -204,13 +226,21 @@ struct Job {
   SimulationOptions options;
 };
 
-std::vector<Job> Jobs(Solver solver) {
+/// Every way to solve a step.
+std::vector<PhysicsOptions> Ways() {
+  std::vector<PhysicsOptions> ways(3);
+  ways[1].solver = Solver::kIterative;
+  ways[2].engine = EngineKind::kArticulated;
+  return ways;
+}
+
+std::vector<Job> Jobs(const PhysicsOptions& physics) {
   std::vector<Job> jobs;
   for (int i = 0; i < 20; ++i) {
     Job job{i % 2 == 0 ? Walker(0.25)
                        : WithOscillators(Cross(), 1 + i, 2 + 0.3 * i),
-            i % 3 == 0 ? kSlope : Terrain{}, Life(1)};
-    job.options.physics.solver = solver;
+            i % 3 == 0 ? kSlope : Terrain{}, Life(kOde, 1)};
+    job.options.physics = physics;
     jobs.push_back(job);
   }
   return jobs;
@@ -225,8 +255,8 @@ std::vector<std::uint64_t> HashesOf(const std::vector<Job>& jobs) {
 }
 
 TEST_CASE("The same bits after any history and in any thread", "[simulate]") {
-  for (const Solver solver : {Solver::kDirect, Solver::kIterative}) {
-    const std::vector<Job> jobs = Jobs(solver);
+  for (const PhysicsOptions& way : Ways()) {
+    const std::vector<Job> jobs = Jobs(way);
     const auto alone = HashesOf({jobs[3]});
     const auto expected = HashesOf(jobs);
     CHECK(alone[0] == expected[3]);
@@ -263,14 +293,14 @@ std::uint64_t HashInChild(const Job& job) {
 }
 
 TEST_CASE("The same bits in another process", "[simulate]") {
-  for (const Solver solver : {Solver::kDirect, Solver::kIterative}) {
-    const std::vector<Job> jobs = Jobs(solver);
+  for (const PhysicsOptions& way : Ways()) {
+    const std::vector<Job> jobs = Jobs(way);
     CHECK(HashInChild(jobs[4]) == HashesOf(jobs)[4]);
   }
 }
 
 TEST_CASE("The solvers agree on where a robot goes", "[simulate]") {
-  SimulationOptions direct = Life(10), iterative = Life(10);
+  SimulationOptions direct = Life(kOde, 10), iterative = Life(kOde, 10);
   iterative.physics.solver = Solver::kIterative;
   iterative.physics.solver_iterations = 200;
   const Trajectory a = Simulate(Walker(0.25), {}, direct);

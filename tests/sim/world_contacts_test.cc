@@ -4,6 +4,7 @@
 
 #include "sim/simulate.h"
 #include "tests/sim/bodies.h"
+#include "tests/sim/engines.h"
 #include "tests/sim/terrains.h"
 
 namespace plsc {
@@ -12,9 +13,10 @@ namespace {
 using Eigen::Vector3d;
 
 /// Steps a lone core for `time` s and gives where it is.
-LinkPose CoreAfter(double time, const Terrain& terrain, const Spot& spot,
+LinkPose CoreAfter(EngineKind engine, double time, const Terrain& terrain,
+                   const Spot& spot,
                    const Vector3d& velocity = Vector3d::Zero()) {
-  SimulationOptions options;
+  SimulationOptions options = test::With(engine);
   options.start_height.reset();
   const Assembly core = Assemble(LoneCore());
   World world(core, terrain, options, StartOf(core, terrain, options, spot));
@@ -26,26 +28,33 @@ LinkPose CoreAfter(double time, const Terrain& terrain, const Spot& spot,
 
 TEST_CASE("A core rests on a step and on the ground before it",
           "[world_contacts]") {
+  const EngineKind engine = test::EachEngine();
+  CAPTURE(engine);
   const Terrain stairs = test::Stairs(0.05, 0.3, 3);
-  CHECK(CoreAfter(1, stairs, {0, 0.15, 0}).position.z() ==
+  CHECK(CoreAfter(engine, 1, stairs, {0, 0.15, 0}).position.z() ==
         Approx(0.0225).margin(5e-4));
-  CHECK(CoreAfter(1, stairs, {0, 0.45, 0}).position.z() ==
+  CHECK(CoreAfter(engine, 1, stairs, {0, 0.45, 0}).position.z() ==
         Approx(0.0725).margin(5e-4));
-  CHECK(CoreAfter(1, stairs, {0, 5, 0}).position.z() ==
+  CHECK(CoreAfter(engine, 1, stairs, {0, 5, 0}).position.z() ==
         Approx(0.1725).margin(5e-4));
 }
 
 TEST_CASE("A step stops a core that slides into it", "[world_contacts]") {
+  const EngineKind engine = test::EachEngine();
+  CAPTURE(engine);
   // 0.5 m/s against friction 1: it would slide 13 mm, and a bit by slip.
-  const double free = CoreAfter(1, {}, {0, 0.245, 0}, {0, 0.5, 0}).position.y();
+  const double free =
+      CoreAfter(engine, 1, {}, {0, 0.245, 0}, {0, 0.5, 0}).position.y();
   CHECK(free > 0.2565);
-  const double stopped =
-      CoreAfter(1, test::Stairs(0.05, 0.3, 3), {0, 0.245, 0}, {0, 0.5, 0})
-          .position.y();
+  const double stopped = CoreAfter(engine, 1, test::Stairs(0.05, 0.3, 3),
+                                   {0, 0.245, 0}, {0, 0.5, 0})
+                             .position.y();
   CHECK(stopped < 0.3 - 0.0445 + 1.5e-3);
 }
 
 TEST_CASE("A core lies on rough ground as on its tangent", "[world_contacts]") {
+  const EngineKind engine = test::EachEngine();
+  CAPTURE(engine);
   // Hills of 4 m are a plane to a core.
   const Terrain hills = test::RoughGround(2, 0.3, 4);
   const HeightField field(hills.rough);
@@ -54,7 +63,7 @@ TEST_CASE("A core lies on rough ground as on its tangent", "[world_contacts]") {
   const Vector3d normal =
       Vector3d(-ground.slope_x, -ground.slope_y, 1).normalized();
   REQUIRE(normal.z() < 0.999);
-  const LinkPose pose = CoreAfter(1, hills, spot);
+  const LinkPose pose = CoreAfter(engine, 1, hills, spot);
   CHECK(pose.axes.col(2).dot(normal) > std::cos(2 * M_PI / 180));
   const double height = field.At(pose.position.x(), pose.position.y()).height;
   CHECK((pose.position.z() - height) * normal.z() ==
@@ -62,8 +71,10 @@ TEST_CASE("A core lies on rough ground as on its tangent", "[world_contacts]") {
 }
 
 TEST_CASE("Robots live on every ground", "[world_contacts]") {
+  const EngineKind engine = test::EachEngine();
+  CAPTURE(engine);
   const Phenotype robot = WithOscillators(Cross(), 1, 2);
-  SimulationOptions options;
+  SimulationOptions options = test::With(engine);
   options.duration = 5;
   options.start_height.reset();
   for (const Terrain& terrain : test::AllTerrains()) {
@@ -83,8 +94,10 @@ TEST_CASE("Robots live on every ground", "[world_contacts]") {
 }
 
 TEST_CASE("Grounds differ by their parameters", "[world_contacts]") {
+  const EngineKind engine = test::EachEngine();
+  CAPTURE(engine);
   const Phenotype robot = WithOscillators(Cross(), 1, 2);
-  SimulationOptions options;
+  SimulationOptions options = test::With(engine);
   options.duration = 3;
   options.start_height.reset();
   const auto hash = [&](const Terrain& terrain) {

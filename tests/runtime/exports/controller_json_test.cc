@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "sim/controller.h"
+#include "sim/maths/sine.h"
 #include "tests/runtime/exports/read_robot.h"
 #include "tests/sim/bodies.h"
 
@@ -22,10 +23,11 @@ std::vector<double> OutputsOf(const json& file, double time,
   before.resize(oscillators.size(), file["rest_output"]);
   for (std::size_t i = 0; i < oscillators.size(); ++i) {
     const json& one = oscillators[i];
-    double output = 0.5 + one["amplitude"].get<double>() / 2 *
-                              std::sin(2 * std::numbers::pi *
-                                       (time / one["period"].get<double>() -
-                                        one["phase_offset"].get<double>()));
+    const double turns =
+        time / one["period"].get<double>() - one["phase_offset"].get<double>();
+    double output =
+        0.5 + one["amplitude"].get<double>() / 2 *
+                  Sin(2 * std::numbers::pi * (turns - std::round(turns)));
     for (const json& edge : file["edges"]) {
       if (edge["to_oscillator"] != i) continue;
       const double weight = edge["weight"];

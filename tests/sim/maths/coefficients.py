@@ -105,7 +105,7 @@ def pair(number):
 
 
 def constants():
-    yield "kHalfPi", parts(PI / 2, 33, 33)
+    yield "kHalfPi", parts(PI / 2, 33, 33, 33)
     yield "kQuarterTurn", pair(PI / 2)
     yield "kEighthTurns", [piece for k in range(5) for piece in pair(k * PI / 4)]
     yield "kTanOfSixteenth", [nearest(Decimal(2).sqrt() - 1)]
