@@ -23,6 +23,8 @@
 
 #include "runtime/life/life_plan.h"
 
+#include <fmt/format.h>
+
 #include <cassert>
 #include <map>
 #include <numbers>
@@ -34,6 +36,7 @@
 #include "runtime/life/season_developer.h"
 #include "runtime/scenario/scenario_yaml.h"
 #include "sim/imu.h"
+#include "sim/results.h"
 #include "sim/simulate.h"
 
 namespace plsc {
@@ -54,6 +57,11 @@ std::string TextOf(const Scenario& scenario, const Season& season) {
   alone.plasticity = Plasticity::kLifelong;
   alone.sensing = Sensing::kImu;
   return PrintScenario(alone);
+}
+
+/// The same life by other arithmetic is another simulation.
+std::string ResultsText() {
+  return fmt::format("results {}\n", kResults);
 }
 
 bool IsContinuous(const Scenario& scenario) {
@@ -120,8 +128,8 @@ LifePlanner::LifePlanner(Scenario scenario, SeasonSimulator simulate)
 
 Key LifePlanner::KeyOfSeason(std::size_t season, bool asks_imu,
                              const Key& robot) const {
-  return KeyOf(season_texts_[season] + (asks_imu ? "felt\n" : "told\n") +
-               Hex(robot));
+  return KeyOf(season_texts_[season] + ResultsText() +
+               (asks_imu ? "felt\n" : "told\n") + Hex(robot));
 }
 
 std::vector<LifePiece> LifePlanner::PlanSeasons(const Genotype& genotype,
@@ -146,8 +154,8 @@ std::vector<LifePiece> LifePlanner::PlanWhole(const Genotype& genotype,
   Scenario nameless = scenario_;
   nameless.name.clear();
   nameless.profile = Profile::kPaper;
-  const std::string text =
-      PrintScenario(nameless) + PossibleRobots(genotype, scenario_, inherited);
+  const std::string text = PrintScenario(nameless) + ResultsText() +
+                           PossibleRobots(genotype, scenario_, inherited);
   LifePiece piece;
   for (std::size_t i = 0; i < scenario_.seasons.size(); ++i)
     piece.keys.push_back(KeyOf(text + std::to_string(i)));

@@ -5,7 +5,11 @@
 
 #include "runtime/life/season_result.h"
 
+#include <fmt/format.h>
+
 #include <cassert>
+
+#include "runtime/text/quantity.h"
 
 namespace plsc {
 
@@ -23,6 +27,16 @@ constexpr double kBackwardShare = 0.1;
 double SeasonFitness(double speed, int hinge_count) {
   if (hinge_count == 0 || speed == 0) return kMotionless;
   return speed > 0 ? speed : speed * kBackwardShare;
+}
+
+bool IsSpeed(const std::optional<double>& fitness) {
+  return fitness && *fitness != kMotionless;
+}
+
+std::string FitnessText(const std::optional<double>& fitness) {
+  if (!fitness) return "none";
+  return IsSpeed(fitness) ? fmt::format("{:.2f}", kCentimetres * *fitness)
+                          : "penalty";
 }
 
 }  // namespace plsc

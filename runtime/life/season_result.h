@@ -86,4 +86,10 @@ struct Evaluation {
 /// at all (authors' program, fitness.py:65). `speed` in m/s.
 double SeasonFitness(double speed, int hinge_count);
 
+/// "2.66" cm/s; "penalty" of a robot that cannot move, or does not, which is
+/// worth a number that is no speed; "none".
+std::string FitnessText(const std::optional<double>& fitness);
+/// Whether that text is a speed.
+bool IsSpeed(const std::optional<double>& fitness);
+
 }  // namespace plsc

@@ -31,6 +31,7 @@ MaybeFailure ReadTables(const std::string& path, const ReadOptions& options,
   Database database;
   if (MaybeFailure failure = database.Open(path, Database::Mode::kRead))
     return failure;
+  if (MaybeFailure failure = CheckIdentity(database)) return failure;
   Transaction instant(database);
   reading.facts = ReadFacts(database);
   reading.population =

@@ -134,7 +134,7 @@ StudyReport BuildReport(const ReportInputs& inputs,
   const ReadOptions options{measures, report.is_single, verify};
   for (const ReportInput& input : inputs.runs) {
     report.runs.push_back(
-        {input, ReadRun(input.path, options, input.expected)});
+        {input, ReadRun(input.path, options, input.expected), {}});
     if (on_run) on_run(report.runs.size(), inputs.runs.size());
   }
   report.experiments = GroupRuns(report.runs);

@@ -5,9 +5,11 @@
 // follow from it (comparison.h).
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "runtime/report/engine_check.h"
 #include "runtime/report/inputs.h"
 #include "runtime/report/read_run.h"
 
@@ -16,6 +18,8 @@ namespace plsc {
 struct ReportRun {
   ReportInput input;
   RunReading reading;
+  /// Of its best robots, where it was asked for.
+  std::optional<EngineCheck> check;
 };
 
 struct ReportExperiment {

@@ -282,8 +282,10 @@ Json RunJson(const ReportRun& run, const Json& experiment) {
   json["ode"] = facts.versions.ode;
   json["compiler"] = facts.versions.compiler;
   json["machine"] = facts.versions.machine;
+  json["results"] = facts.versions.results;
   json["work"] = WorkJson(facts.work);
   json["best"] = reading.best ? PortraitJson(*reading.best) : Json(nullptr);
+  if (run.check) json["engine_check"] = EngineCheckJson(*run.check);
   return json;
 }
 

@@ -9,7 +9,7 @@
 
 namespace plsc {
 
-/// `made`: who made it and when, "plsc 0.1.0" and UTC. Numbers of measures have
+/// `made`: who made it and when, "plsc 0.2.0" and UTC. Numbers of measures have
 /// six digits: more than any figure shows, and half the size.
 struct ReportMade {
   std::string by;

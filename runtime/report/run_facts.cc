@@ -60,7 +60,7 @@ RunFacts ReadFacts(Database& database) {
   RunFacts facts;
   {
     Statement row(database,
-                  "SELECT name, seed, plsc, ode, compiler, machine, "
+                  "SELECT name, seed, plsc, ode, compiler, machine, results, "
                   "generations, evaluations FROM run");
     if (row.With().Next()) {
       facts.name = row.TakeText();
@@ -69,6 +69,7 @@ RunFacts ReadFacts(Database& database) {
       facts.versions.ode = row.TakeText();
       facts.versions.compiler = row.TakeText();
       facts.versions.machine = row.TakeText();
+      facts.versions.results = row.TakeInt();
       facts.planned_generations = row.TakeInt();
       facts.planned_evaluations = row.TakeInteger();
     }

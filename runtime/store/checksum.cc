@@ -54,8 +54,10 @@ std::string EvaluationSql() {
 
 Checksums::Checksums(Database& database)
     : run_(database,
-           "SELECT id, name, seed, generations, evaluations, random, plsc, "
-           "ode, compiler, machine, experiment, scenario FROM run"),
+           fmt::format("SELECT id, name, seed, generations, evaluations, "
+                       "random, plsc, ode, compiler, machine, {}experiment, "
+                       "scenario FROM run",
+                       SchemaOf(database) < 2 ? "" : "results, ")),
       constants_(database,
                  "SELECT season.id, season.name, physics.name, value, unit "
                  "FROM season LEFT JOIN physics ON physics.season = season.id "

@@ -47,11 +47,12 @@ void AddRun(Database& database, const Experiment& experiment,
             const Versions& versions) {
   Statement run(
       database,
-      "INSERT INTO run VALUES(1, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, 0)");
+      "INSERT INTO run VALUES(1, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, 0)");
   run.With(experiment.name, std::to_string(experiment.seed),
            experiment.generations, Evaluations(experiment), kRandom,
            versions.plsc, versions.ode, versions.compiler, versions.machine,
-           PrintExperiment(experiment), PrintScenario(experiment.scenario))
+           versions.results, PrintExperiment(experiment),
+           PrintScenario(experiment.scenario))
       .Run();
   Checksums checksums(database);
   Statement sum(database, "UPDATE run SET checksum = ?");

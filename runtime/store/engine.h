@@ -14,8 +14,9 @@ namespace plsc {
 /// Hexadecimal digits, other ones where any of the objects differs.
 std::string_view EngineId();
 
-/// What simulations are a function of besides their keys: EngineId() and the
-/// kind of the machine. Others' simulations are not found in caches.
-std::string ThisEngine();
+/// What simulations are a function of besides their keys: EngineId() and, where
+/// ODE lives any, the kind of the machine. Others' simulations are not found in
+/// caches.
+std::string ThisEngine(bool uses_ode = true);
 
 }  // namespace plsc

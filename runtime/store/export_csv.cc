@@ -48,7 +48,7 @@ const std::vector<CsvTable>& CsvTables() {
   static const std::vector<CsvTable> tables = {
       {"run", CsvRows::kOfRun,
        "SELECT name, seed, generations, evaluations, random, plsc, ode, "
-       "compiler, machine, experiment, scenario FROM run"},
+       "compiler, machine, results, experiment, scenario FROM run"},
       {"constants", CsvRows::kOfRun,
        "SELECT season.name AS season, physics.name, value, unit FROM physics "
        "JOIN season ON season.id = physics.season "

@@ -29,7 +29,8 @@ std::string RunLine(const RunStore& store) {
   run["versions"] = {{"plsc", versions.plsc},
                      {"ode", versions.ode},
                      {"compiler", versions.compiler},
-                     {"machine", versions.machine}};
+                     {"machine", versions.machine},
+                     {"results", versions.results}};
   // With every constant of the physics, as text that reads back equal.
   run["experiment"] = PrintExperiment(experiment);
   run["scenario"] = PrintScenario(experiment.scenario);

@@ -115,7 +115,8 @@ MaybeFailure RunStore::Parts::Connect(Database::Mode mode) {
   if (MaybeFailure failure = database.Open(path, mode)) return failure;
   if (MaybeFailure failure = CheckIdentity(database)) return failure;
   if (mode != Database::Mode::kRead)
-    if (MaybeFailure failure = CheckNothingAdded(database, Schema()))
+    if (MaybeFailure failure =
+            CheckNothingAdded(database, Schema(SchemaOf(database))))
       return failure;
   if (MaybeFailure failure = ReadRun()) return failure;
   reader = std::make_unique<RunReader>(database);
@@ -134,7 +135,8 @@ MaybeFailure RunStore::Parts::CheckInPlace() {
 
 MaybeFailure RunStore::Parts::ReadRun() {
   Statement run(database,
-                "SELECT plsc, ode, compiler, machine, experiment FROM run");
+                "SELECT plsc, ode, compiler, machine, results, experiment "
+                "FROM run");
   if (!run.With().Next()) {
     if (MaybeFailure failure = database.TakeFailure()) return failure;
     return fmt::format("'{}' is damaged: it does not say what the run is",
@@ -144,6 +146,7 @@ MaybeFailure RunStore::Parts::ReadRun() {
   versions.ode = run.TakeText();
   versions.compiler = run.TakeText();
   versions.machine = run.TakeText();
+  versions.results = run.TakeInt();
   Result<Experiment> read = ParseExperiment(Source(path, run.TakeText()));
   if (!read)
     return fmt::format("'{}' is damaged: its experiment cannot be read ({})",
@@ -165,7 +168,8 @@ MaybeFailure RunStore::Create(const std::string& path,
   parts_->path = path;
   if (MaybeFailure failure = CheckAbsent(path)) return failure;
   MaybeFailure failure = CreateStoreFile(
-      path, experiment, versions.value_or(ThisProgram()), parts_->lock);
+      path, experiment, versions.value_or(VersionsFor(experiment.scenario)),
+      parts_->lock);
   // Another process may have made it since we looked.
   if (failure)
     if (MaybeFailure exists = CheckAbsent(path)) failure = std::move(exists);

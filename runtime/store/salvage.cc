@@ -41,8 +41,8 @@ MaybeFailure Salvage::Open(const std::string& path) {
   Checksums checksums(database);
   {
     Statement run(database,
-                  "SELECT checksum, experiment, plsc, ode, compiler, machine "
-                  "FROM run");
+                  "SELECT checksum, experiment, plsc, ode, compiler, machine, "
+                  "results FROM run");
     if (run.With().Next()) {
       const std::int64_t sum = run.TakeInteger();
       const Result<Experiment> parsed =
@@ -51,6 +51,7 @@ MaybeFailure Salvage::Open(const std::string& path) {
       versions_.ode = run.TakeText();
       versions_.compiler = run.TakeText();
       versions_.machine = run.TakeText();
+      versions_.results = run.TakeInt();
       if (parsed && sum == checksums.OfRun()) experiment_ = *parsed;
     }
     database.TakeFailure();  // then there is no experiment

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <string_view>
+#include <utility>
 
 #include "runtime/develop/descriptors.h"
+#include "runtime/store/database.h"
 #include "runtime/store/packing.h"
 
 namespace plsc {
@@ -34,6 +36,22 @@ std::string Qualified(std::string_view table,
 }
 
 constexpr const char* kRun = R"sql(CREATE TABLE run(
+  id INTEGER PRIMARY KEY CHECK (id = 1),
+  name TEXT NOT NULL,
+  seed TEXT NOT NULL,  -- decimal; an INTEGER holds only half of them
+  generations INTEGER NOT NULL,  -- to be made, the initial one included
+  evaluations INTEGER NOT NULL,  -- to be made
+  random TEXT NOT NULL,  -- where random numbers come from
+  plsc TEXT NOT NULL,  -- versions
+  ode TEXT NOT NULL,
+  compiler TEXT NOT NULL,
+  machine TEXT NOT NULL,  -- its kind: of the same kind, the same bits; or 'any'
+  results INTEGER NOT NULL,  -- number of the arithmetic
+  experiment TEXT NOT NULL,  -- YAML, every value
+  scenario TEXT NOT NULL,  -- YAML, every value
+  checksum INTEGER NOT NULL))sql";
+
+constexpr const char* kFirstRun = R"sql(CREATE TABLE run(
   id INTEGER PRIMARY KEY CHECK (id = 1),
   name TEXT NOT NULL,
   seed TEXT NOT NULL,  -- decimal; an INTEGER holds only half of them
@@ -209,7 +227,7 @@ constexpr const char* kNext =
       (SELECT max(number) FROM generation)), 0)
   FROM run)sql";
 
-std::vector<SchemaItem> MakeSchema() {
+std::vector<SchemaItem> MakeSchema(const char* run) {
   const auto body = BodyColumns();
   const auto brain = BrainColumns();
   const auto behaviour = BehaviourColumns();
@@ -220,7 +238,7 @@ std::vector<SchemaItem> MakeSchema() {
     return SchemaItem{name, std::move(sql), SchemaKind::kView, true, ""};
   };
   return {
-      table("run", kRun, "id"),
+      table("run", run, "id"),
       table("season", kSeason, "id"),
       table("physics", kPhysics, "season, name"),
       table("header", kHeader, "id"),
@@ -248,9 +266,15 @@ std::vector<SchemaItem> MakeSchema() {
 
 }  // namespace
 
-const std::vector<SchemaItem>& Schema() {
-  static const std::vector<SchemaItem> schema = MakeSchema();
-  return schema;
+const std::vector<SchemaItem>& Schema(int version) {
+  static const std::vector<SchemaItem> first = MakeSchema(kFirstRun);
+  static const std::vector<SchemaItem> schema = MakeSchema(kRun);
+  return version == kSchemaVersion ? schema : first;
+}
+
+int SchemaOf(Database& database) {
+  const std::int64_t version = SingleInteger(database, "PRAGMA user_version");
+  return std::in_range<int>(version) ? static_cast<int>(version) : 0;
 }
 
 std::vector<std::string> BodyColumns() {

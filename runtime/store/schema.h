@@ -11,10 +11,15 @@
 
 namespace plsc {
 
+class Database;
+
 /// "plsc" in a file's header: PRAGMA application_id.
 inline constexpr int kApplicationId = 0x706c7363;
 /// PRAGMA user_version. To be raised by 1 at every change of the schema.
-inline constexpr int kSchemaVersion = 1;
+inline constexpr int kSchemaVersion = 2;
+/// Of the oldest that are read. They have no column run.results, as all of
+/// them are of the first arithmetic (sim/results.h).
+inline constexpr int kOldestSchema = 1;
 
 enum class SchemaKind : std::uint8_t { kTable, kIndex, kView };
 
@@ -30,7 +35,10 @@ struct SchemaItem {
 };
 
 /// Tables before what refers to them, views last.
-const std::vector<SchemaItem>& Schema();
+const std::vector<SchemaItem>& Schema(int version = kSchemaVersion);
+
+/// The schema's version that a file says it has.
+int SchemaOf(Database& database);
 
 /// Names of descriptors as columns, "branching, branching_modules_count, ...".
 std::vector<std::string> BodyColumns();

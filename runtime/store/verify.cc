@@ -37,6 +37,16 @@ std::string Damaged(const Database& database, const std::string& what) {
   return fmt::format("'{}' is damaged: {}", database.path(), what);
 }
 
+/// What the older schema lacks is there for this connection, so that all
+/// queries are of one schema. Nothing of it gets into the file.
+void AddWhatIsNew(Database& database) {
+  database.Run(
+      "CREATE TEMP VIEW IF NOT EXISTS run AS "
+      "SELECT id, name, seed, generations, evaluations, random, plsc, ode, "
+      "compiler, machine, 1 AS results, experiment, scenario, checksum "
+      "FROM main.run");
+}
+
 bool HasSchema(Database& database) {
   std::map<std::string, std::string> found;
   Statement statement(database,
@@ -47,7 +57,7 @@ bool HasSchema(Database& database) {
     const std::string name = statement.TakeText();
     found[name] = statement.TakeText();
   }
-  for (const SchemaItem& item : Schema())
+  for (const SchemaItem& item : Schema(SchemaOf(database)))
     if (found[item.name] != item.sql) return false;
   return true;
 }
@@ -167,7 +177,7 @@ Health Examination::Take() {
 MaybeFailure CheckIdentity(Database& database) {
   const std::int64_t application =
       SingleInteger(database, "PRAGMA application_id");
-  const std::int64_t version = SingleInteger(database, "PRAGMA user_version");
+  const int version = SchemaOf(database);
   if (database.has_failed()) return database.TakeFailure();
   if (application != kApplicationId)
     return fmt::format("'{}' is no run of plsc, but another program's file",
@@ -177,14 +187,15 @@ MaybeFailure CheckIdentity(Database& database) {
         "'{}' was made by a newer plsc (its schema is {}, this program knows "
         "{}): use that one",
         database.path(), version, kSchemaVersion);
-  if (version < kSchemaVersion)
+  if (version < kOldestSchema)
     return fmt::format("'{}' has schema {}, which this program does not read",
                        database.path(), version);
   const bool has_schema = HasSchema(database);
   if (database.has_failed()) return database.TakeFailure();
   if (!has_schema)
     return Damaged(database, "its tables are not those of a run");
-  return std::nullopt;
+  if (version < kSchemaVersion) AddWhatIsNew(database);
+  return database.TakeFailure();
 }
 
 Health Examine(Database& database) {

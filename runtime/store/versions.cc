@@ -3,12 +3,28 @@
 #include <fmt/format.h>
 
 #include "sim/machine_kind.h"
+#include "sim/results.h"
 
 namespace plsc {
 
 Versions ThisProgram() {
   static const std::string machine = MachineKind();  // takes a millisecond
-  return {PLSC_VERSION, PLSC_ODE_VERSION, __VERSION__, machine};
+  return {PLSC_VERSION, PLSC_ODE_VERSION, __VERSION__, machine, kResults};
+}
+
+Versions VersionsFor(const Scenario& scenario) {
+  Versions versions = ThisProgram();
+  if (!UsesOde(scenario)) versions.machine = kAnyMachine;
+  return versions;
+}
+
+bool MakeTheSame(const Versions& one, const Versions& other) {
+  if (one.results != other.results || one.plsc != other.plsc) return false;
+  const bool is_anywhere =
+      one.machine == kAnyMachine || other.machine == kAnyMachine;
+  return is_anywhere ||
+         (one.ode == other.ode && one.compiler == other.compiler &&
+          one.machine == other.machine);
 }
 
 MaybeFailure CheckVersions(const std::string& path, const Versions& versions) {
@@ -22,7 +38,14 @@ MaybeFailure CheckVersions(const std::string& path, const Versions& versions) {
         "matter: --allow-other-version)",
         path, what, then, now);
   };
+  if (versions.results != own.results)
+    return fmt::format(
+        "'{}' was made by other arithmetic: its results have number {} (plsc "
+        "{}), those of this program {}; to go on would mix both (plsc {} goes "
+        "on with it; where that does not matter: --allow-other-version)",
+        path, versions.results, versions.plsc, own.results, versions.plsc);
   if (auto failure = differs("plsc", versions.plsc, own.plsc)) return failure;
+  if (versions.machine == kAnyMachine) return std::nullopt;
   if (auto failure = differs("ODE", versions.ode, own.ode)) return failure;
   if (auto failure = differs("compiler", versions.compiler, own.compiler))
     return failure;

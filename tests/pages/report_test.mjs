@@ -31,6 +31,7 @@ const single = join(scratch, "single.html");
 const still = join(scratch, "still.html");
 const waiting = join(scratch, "waiting.html");
 const partly = join(scratch, "partly.html");
+const checked = join(scratch, "checked.html");
 
 before(() => {
   writeFileSync(join(scratch, "study.yaml"), study);
@@ -38,6 +39,8 @@ before(() => {
   plsc("report", folder, "-o", file);
   plsc("report", join(folder, "plastic/1.sqlite"), "-o", single, "--measures", "speed,hinge_count");
   plsc("report", join(folder, "static/1.sqlite"), "-o", still, "--measures", "speed,balance,size,hinge_count");
+
+  plsc("report", folder, "-o", checked, "--measures", "size", "--check-engine", "2");
 
   // Most runs missing.
   const begun = join(scratch, "begun");
@@ -197,6 +200,29 @@ test("it says in what the experiments differ", () =>
     assert.equal(of("mutation"), undefined);
     assert.equal(rows[0][0], "encoding"); // what differs between them comes first
   }));
+
+test("robots that lived by both engines are compared, a chart a season", () =>
+  withPage(checked, desktop, async (page) => {
+    await assertFitsWidth(page);
+    const charts = (await chartsOf(page)).filter(({ kind }) => kind === "engines");
+    assert.deepEqual(charts.map(({ title }) => title), ["flat", "tilted", "plain"].map((season) => `Speed by both engines in ${season}`));
+    for (const { title, dots, lines, legend, isFinite } of charts) {
+      assert.ok(dots > 0 && dots <= 12, `${title}: ${dots} robots`);
+      assert.equal(lines, 1, `${title}: where both are equal`);
+      assert.ok(legend.length >= 1 && isFinite, title);
+    }
+    await page.locator("#engines figure").first().scrollIntoViewIfNeeded();
+    await screenshot(page, "report-engines");
+    // Three runs of two seasons, twice, and three of one.
+    assert.equal(await page.locator("#engines tbody tr").count(), 15);
+    const { name, text } = await downloaded(page, page.locator('button[aria-label="CSV of the engines"]'));
+    assert.equal(name, "engines.csv");
+    assert.equal(text.trim().split("\r\n").length, 16);
+    assert.match(text, /,ode,articulated,/);
+  }));
+
+test("a report that was not asked for it has no other engine", () =>
+  withPage(file, desktop, async (page) => assert.equal(await page.locator("#engines").count(), 0)));
 
 test("what is not finished is told in groups", () =>
   withPage(waiting, desktop, async (page) => {

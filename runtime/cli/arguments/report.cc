@@ -32,6 +32,13 @@ void Add(Options& options, ReportCommand& command) {
   options.Flag("--verify", command.verify,
                "compare all results with their checksums first (about a "
                "second for 10,000 robots); what is damaged is left out");
+  options
+      .Add("--check-engine", command.check_engine,
+           "live the N best robots of each run's last generation again by "
+           "the engine that it did not have, and show how ranks and Speeds "
+           "differ (seconds a robot if that is ODE)")
+      .Range(1, 100000)
+      .ValueName("N");
   options.Flag("--quiet", command.quiet,
                "no progress and no summary; only what is wrong");
   options.Footer(
@@ -44,6 +51,7 @@ void Add(Options& options, ReportCommand& command) {
       "  plsc report small -o report.html\n"
       "  plsc report small/plastic small/baseline -o report.html\n"
       "  plsc report run1.sqlite --measures all -o run1.html\n"
+      "  plsc report paper --check-engine 10 -o paper.html\n"
       "  plsc report small --format json | jq '.tests[] | select(.p < 0.05)'"
       "\n\n"
       "Exit status: 0 fine, 1 a run is damaged or nothing can be read, 2 the "

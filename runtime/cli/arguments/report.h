@@ -3,6 +3,7 @@
 // `plsc report`: what studies and runs say.
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,7 @@ struct ReportCommand {
   std::string measures = "paper";
   ReportFormat format = ReportFormat::kHtml;
   bool verify = false;
+  std::optional<int> check_engine;  ///< best robots of a run to live anew
   bool quiet = false;
 };
 void Add(Options& options, ReportCommand& command);

@@ -115,19 +115,31 @@ void Add(Options& options, ReplayCommand& command) {
   options.Add("ID", command.individuals,
               "numbers of robots, or best (default: best)");
   options.Flag("--all", command.all, "every robot that was evaluated");
+  options.Choice(
+      "--engine", command.engine,
+      "live them by this engine, and tell how its ranks and Speeds "
+      "differ from the stored ones (default then: all survivors of "
+      "the last generation)",
+      {{"ode", EngineKind::kOde}, {"articulated", EngineKind::kArticulated}});
   AddJobs(options, command.jobs,
           "worker processes (0 and default: one a core that may be "
           "used)");
-  AddFormat(options, command.format, "one object a robot");
+  AddFormat(options, command.format,
+            "one object a robot; with --engine one of all");
   options.Footer(
       "Robots develop from the stored genotype and live the stored scenario; "
       "nothing is\nlooked up. Every stored number must come out again, bit for "
       "bit. It does on\nmachines of the kind that made the run, with the same "
-      "version of plsc.\n\n"
+      "version of plsc; what the\narticulated engine lived on every machine.\n"
+      "With --engine the bits are others, and what counts is whether robots "
+      "keep their\nranks: Spearman's rank correlation of their Speeds, and "
+      "differences, a line a season.\n\n"
       "  plsc replay run1.sqlite best\n"
       "  plsc replay run1.sqlite 3 17 120\n"
-      "  plsc replay run1.sqlite --all\n\n"
-      "Exit status: 0 all equal, 1 something differs or cannot be read.");
+      "  plsc replay run1.sqlite --all\n"
+      "  plsc replay run1.sqlite --engine ode\n\n"
+      "Exit status: 0 all equal (with --engine: all lived), 1 something "
+      "differs or cannot\nbe read.");
 }
 
 }  // namespace plsc::cli

@@ -49,6 +49,9 @@ struct ReplayCommand {
   std::string run;
   std::vector<std::string> individuals;  ///< ids or "best"
   bool all = false;
+  /// To compare it with the stored lives: of the survivors, unless others are
+  /// named.
+  std::optional<EngineKind> engine;
   std::optional<int> jobs;
   OutputFormat format = OutputFormat::kText;
 };

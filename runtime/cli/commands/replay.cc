@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <nlohmann/json.hpp>
 #include <ostream>
 #include <span>
@@ -10,13 +11,10 @@
 #include "runtime/cli/arguments/runs.h"
 #include "runtime/cli/commands/replay_compare.h"
 #include "runtime/cli/files/open_run.h"
-#include "runtime/evolve/generation_evaluator.h"
-#include "runtime/evolve/worker_request.h"
-#include "runtime/life/evaluation.h"
+#include "runtime/cli/running/relive.h"
 #include "runtime/store/verify.h"
 #include "runtime/text/json_dump.h"
-#include "runtime/workers/worker_count.h"
-#include "runtime/workers/worker_pool.h"
+#include "sim/results.h"
 
 namespace plsc::cli {
 
@@ -73,39 +71,64 @@ Expected<std::vector<Stored>, Failure> Load(RunStore& store,
   return batch;
 }
 
-/// Evaluates all anew, as a run does but that nothing is known.
-class Replays {
- public:
-  Replays(const Experiment& experiment, int jobs)
-      : planner_(experiment.scenario),
-        pool_({jobs, HangSeconds(experiment)}, WorkOf(planner_)),
-        evaluator_(planner_, pool_, {}) {}
+/// In the order of `batch`; empty if there are no workers any more.
+std::vector<Replayed> CompareAll(const std::vector<Stored>& batch,
+                                 bool is_same_arithmetic, Relive& relive) {
+  std::vector<Individual> robots;
+  for (const Stored& stored : batch) robots.push_back(stored.individual);
+  const std::vector<EvaluatedLife> lives = relive.Live(std::move(robots));
+  std::vector<Replayed> replayed;
+  for (std::size_t i = 0; i < lives.size(); ++i)
+    replayed.push_back(Compare(batch[i].individual, batch[i].evidence, lives[i],
+                               is_same_arithmetic));
+  return replayed;
+}
 
-  /// In the order of `batch`; fewer if there are no workers any more.
-  std::vector<Replayed> Evaluate(const std::vector<Stored>& batch) {
-    std::vector<Individual> robots;
-    for (const Stored& stored : batch) {
-      robots.push_back(stored.individual);
-      robots.back().evaluation = {};
-    }
-    std::vector<Replayed> replayed(batch.size());
-    evaluator_.Begin(robots);
-    while (evaluator_.outstanding() > 0 && !evaluator_.failure())
-      for (const EvaluatedRobot& one : evaluator_.Wait(1000)) {
-        const Stored& stored = batch[one.robot];
-        replayed[one.robot] =
-            Compare(stored.individual, stored.evidence, one.life);
-      }
-    if (evaluator_.failure()) replayed.clear();
-    return replayed;
+/// Why numbers may have come out otherwise.
+std::string ReasonOf(const Versions& versions) {
+  const std::string by = VersionsText(versions);
+  if (versions.results != kResults)
+    return fmt::format(
+        "differences are expected: {} made this run, and this program's "
+        "arithmetic is {}; plsc {} repeats it",
+        by, kResults, versions.plsc);
+  if (versions.machine == kAnyMachine)
+    return fmt::format(
+        "the articulated engine comes to the same bits on every machine, so "
+        "another version of plsc ({} began this run) may be why, or a defect",
+        by);
+  return fmt::format(
+      "another version of plsc or of ODE ({} began this run), or another kind "
+      "of processor, may be why",
+      by);
+}
+
+Expected<std::vector<int>, Failure> ChosenIds(const ReplayCommand& command,
+                                              RunStore& store) {
+  return command.all ? EvaluatedIds(store) : IdsOf(store, command.individuals);
+}
+
+/// The survivors, unless others are named, by the engine that is asked for.
+Exit ReplayByEngine(const ReplayCommand& command, RunStore& store, Io& io) {
+  int generation = -1;
+  Expected<std::vector<int>, Failure> ids = ChosenIds(command, store);
+  if (!command.all && command.individuals.empty()) {
+    Expected<Survivors, Failure> survivors = SurvivorsOf(store, SIZE_MAX);
+    if (!survivors) return Complain(survivors.error(), io);
+    generation = survivors->generation;
+    ids = std::move(survivors->ids);
   }
-  const MaybeFailure& failure() const { return evaluator_.failure(); }
-
- private:
-  const LifePlanner planner_;
-  WorkerPool pool_;
-  GenerationEvaluator evaluator_;
-};
+  if (!ids) return Complain(ids.error(), io);
+  Expected<EngineCheck, Failure> check =
+      CheckByEngine(store, *ids, *command.engine, command.jobs);
+  if (!check) return Complain(check.error(), io);
+  check->generation = generation;
+  if (command.format == OutputFormat::kJson)
+    io.out << DumpJson(EngineCheckJson(*check)) << '\n';
+  else
+    io.out << EngineCheckText(*check);
+  return Exit::kFine;
+}
 
 }  // namespace
 
@@ -117,10 +140,17 @@ Exit Run(const ReplayCommand& command, Io& io) {
   if (command.all)
     if (const auto problem = Examine(command.run).problem)
       return Complain(*problem, io);
-  const Expected<std::vector<int>, Failure> ids =
-      command.all ? EvaluatedIds(store) : IdsOf(store, command.individuals);
+  const Versions& versions = store.versions();
+  const bool is_same_arithmetic = versions.results == kResults;
+  if (!is_same_arithmetic)
+    io.err << fmt::format(
+        "note: {} was made by other arithmetic (results {}, and of this "
+        "program {}): differences expected\n",
+        Escaped(command.run), versions.results, kResults);
+  if (command.engine) return ReplayByEngine(command, store, io);
+  const Expected<std::vector<int>, Failure> ids = ChosenIds(command, store);
   if (!ids) return Complain(ids.error(), io);
-  Replays replays(store.experiment(), WorkerCount(command.jobs.value_or(0)));
+  Relive relive(store.experiment(), command.jobs);
   // Enough for all workers, few enough to be seen going on.
   constexpr std::size_t kBatch = 50;
   std::size_t different = 0;
@@ -130,8 +160,9 @@ Exit Run(const ReplayCommand& command, Io& io) {
     rest = rest.subspan(now.size());
     const Expected<std::vector<Stored>, Failure> batch = Load(store, now);
     if (!batch) return Complain(batch.error(), io);
-    const std::vector<Replayed> replayed = replays.Evaluate(*batch);
-    if (replayed.empty()) return Complain(*replays.failure(), io);
+    const std::vector<Replayed> replayed =
+        CompareAll(*batch, is_same_arithmetic, relive);
+    if (replayed.empty()) return Complain(*relive.failure(), io);
     for (const Replayed& one : replayed) {
       different += one.differences.empty() ? 0 : 1;
       command.format == OutputFormat::kJson ? PrintJson(one, io.out)
@@ -142,9 +173,8 @@ Exit Run(const ReplayCommand& command, Io& io) {
   if (different == 0) return Exit::kFine;
   io.err << fmt::format(
       "error: {} of {} robots came out otherwise\n"
-      "= help: another version of plsc or of ODE ({} began this run), or "
-      "another kind of processor, may be why\n",
-      different, ids->size(), VersionsText(store.versions()));
+      "= help: {}\n",
+      different, ids->size(), ReasonOf(versions));
   return Exit::kBadInput;
 }
 

@@ -81,7 +81,7 @@ void CompareSeasons(const SeasonResult& stored, const SeasonResult& now,
 
 Replayed Compare(const Individual& stored,
                  const std::vector<SeasonEvidence>& evidence,
-                 const EvaluatedLife& now) {
+                 const EvaluatedLife& now, bool with_keys) {
   Replayed replayed;
   replayed.id = stored.id;
   const auto& seasons = stored.evaluation.seasons;
@@ -94,7 +94,9 @@ Replayed Compare(const Individual& stored,
     comparison.Add("body", before.body, after.body);
     comparison.Add("brain", before.brain, after.brain);
     comparison.Add("phenotype", Hex(before.phenotype), Hex(after.phenotype));
-    comparison.Add("simulation", Hex(before.simulation), Hex(after.simulation));
+    if (with_keys)
+      comparison.Add("simulation", Hex(before.simulation),
+                     Hex(after.simulation));
   }
   return replayed;
 }

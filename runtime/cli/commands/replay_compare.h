@@ -27,8 +27,9 @@ struct Replayed {
 };
 
 /// Bit for bit, but that -0 and 0 are equal: a store keeps no sign of zero.
+/// Without keys of simulations: those of other arithmetic are all other ones.
 Replayed Compare(const Individual& stored,
                  const std::vector<SeasonEvidence>& evidence,
-                 const EvaluatedLife& now);
+                 const EvaluatedLife& now, bool with_keys = true);
 
 }  // namespace plsc::cli

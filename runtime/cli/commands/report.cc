@@ -11,6 +11,7 @@
 #include "runtime/cli/arguments/report.h"
 #include "runtime/cli/files/open_run.h"
 #include "runtime/cli/files/output_path.h"
+#include "runtime/cli/running/relive.h"
 #include "runtime/pages/page.h"
 #include "runtime/report/report_json.h"
 #include "runtime/text/version.h"
@@ -86,6 +87,32 @@ ReportedRuns ReportProblems(const StudyReport& report, Io& io) {
   return reported;
 }
 
+/// The best robots of every run by the engine that it did not have. What
+/// cannot be lived by that is said, and left out.
+void CheckEngines(int most, StudyReport& report, Io& io) {
+  for (ReportRun& run : report.runs) {
+    if (run.reading.facts.best == 0) continue;
+    const EngineKind other = UsesOde(run.reading.experiment.scenario)
+                                 ? EngineKind::kArticulated
+                                 : EngineKind::kOde;
+    const auto checked = [&]() -> Expected<EngineCheck, Failure> {
+      RunStore store;
+      if (auto failure = store.OpenForReading(run.input.path)) return *failure;
+      auto survivors = SurvivorsOf(store, static_cast<std::size_t>(most));
+      if (!survivors) return survivors.error();
+      auto check = CheckByEngine(store, survivors->ids, other, std::nullopt);
+      if (check) check->generation = survivors->generation;
+      return check;
+    }();
+    if (checked)
+      run.check = *checked;
+    else
+      io.err << fmt::format("warning: no other engine for {}: {}\n",
+                            Escaped(run.input.label),
+                            Escaped(checked.error().text));
+  }
+}
+
 Output OutputOf(const ReportCommand& command) {
   return {command.output,
           command.format == ReportFormat::kHtml ? OutputKind::kPage
@@ -122,7 +149,7 @@ Exit Run(const ReportCommand& command, Io& io) {
         "--format json works",
         io);
   ReadingLine line(io, !command.quiet);
-  const StudyReport report = BuildReport(
+  StudyReport report = BuildReport(
       *inputs, *measures,
       [&](std::size_t done, std::size_t total) { line.Report(done, total); },
       command.verify);
@@ -130,6 +157,7 @@ Exit Run(const ReportCommand& command, Io& io) {
   if (reported.readable == 0 && reported.damaged == 0)
     return Complain("none of these runs is begun yet", io);
   if (reported.readable == 0) return Exit::kBadInput;
+  if (command.check_engine) CheckEngines(*command.check_engine, report, io);
   const Exit written = Write(command, report, io);
   return written == Exit::kFine && reported.damaged > 0 ? Exit::kBadInput
                                                         : written;

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <ostream>
 
@@ -13,7 +14,6 @@
 #include "runtime/store/lock.h"
 #include "runtime/store/verify.h"
 #include "runtime/text/json_dump.h"
-#include "runtime/text/quantity.h"
 
 namespace plsc::cli {
 
@@ -45,8 +45,10 @@ std::string SpeedsOf(const SeasonFitnesses& fitnesses) {
   if (fitnesses.empty()) return "not evaluated yet";
   std::string text;
   for (const std::optional<double>& fitness : fitnesses)
-    text += fitness ? fmt::format("{:.2f} ", kCentimetres * *fitness) : "none ";
-  return text + "cm/s";
+    text += (text.empty() ? "" : " ") + FitnessText(fitness);
+  return std::any_of(fitnesses.begin(), fitnesses.end(), IsSpeed)
+             ? text + " cm/s"
+             : text;
 }
 
 std::string LineageText(const std::vector<Ancestor>& lineage,
@@ -139,7 +141,9 @@ void PrintRunJson(const ShowCommand& command, const RunStore& store,
   json["best"] = status.best == 0 ? Json(nullptr) : Json(status.best);
   json["versions"] = {{"plsc", store.versions().plsc},
                       {"ode", store.versions().ode},
-                      {"compiler", store.versions().compiler}};
+                      {"compiler", store.versions().compiler},
+                      {"machine", store.versions().machine},
+                      {"results", store.versions().results}};
   json["verified"] = command.verify;
   out << DumpJson(json) << '\n';
 }

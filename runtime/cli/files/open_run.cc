@@ -63,8 +63,12 @@ Expected<std::vector<int>, Failure> EvaluatedIds(RunStore& store) {
 }
 
 std::string VersionsText(const Versions& versions) {
-  return Escaped(fmt::format("plsc {}, ODE {}, compiler {}", versions.plsc,
-                             versions.ode, versions.compiler));
+  const std::string text =
+      fmt::format("plsc {}, results {}", versions.plsc, versions.results);
+  return Escaped(versions.machine == kAnyMachine
+                     ? text + ", the same on any machine"
+                     : fmt::format("{}, ODE {}, compiler {}", text,
+                                   versions.ode, versions.compiler));
 }
 
 }  // namespace plsc::cli

@@ -25,7 +25,8 @@ Expected<std::vector<int>, Failure> IdsOf(
 /// Everybody who was evaluated, by id.
 Expected<std::vector<int>, Failure> EvaluatedIds(RunStore& store);
 
-/// "plsc 0.1.0, ODE 0.16.2, compiler 12.2.0".
+/// "plsc 0.2.0, results 2, ODE 0.16.2, compiler 12.2.0"; of the articulated
+/// engine "plsc 0.2.0, results 2, the same on any machine".
 std::string VersionsText(const Versions& versions);
 
 }  // namespace plsc::cli

@@ -18,7 +18,7 @@
 #include <vector>
 
 #include "grammar/shown_line.h"
-#include "runtime/text/quantity.h"
+#include "runtime/life/season_result.h"
 
 namespace plsc::cli {
 
@@ -29,10 +29,6 @@ constexpr double kRedraw = 0.2;  // s
 
 // Who looks at a log file wants to see that the run lives.
 constexpr double kLogPause = 60;  // s
-
-std::string SpeedText(const std::optional<double>& fitness) {
-  return fitness ? fmt::format("{:.2f}", kCentimetres * *fitness) : "none";
-}
 
 struct Piece {
   std::string text;
@@ -50,8 +46,8 @@ void AddSeasons(const Progress& progress, std::vector<Piece>& pieces) {
   for (std::size_t i = 0; i < progress.seasons.size(); ++i) {
     const SeasonProgress& season = progress.seasons[i];
     const std::string name = Escaped(season.season);
-    const std::string best = SpeedText(season.best);
-    const std::string median = SpeedText(season.median);
+    const std::string best = FitnessText(season.best);
+    const std::string median = FitnessText(season.median);
     const int place = static_cast<int>(i);
     pieces.push_back({fmt::format("{} best {}", name, best),
                       fmt::format("{} {}", name, best),
@@ -59,7 +55,12 @@ void AddSeasons(const Progress& progress, std::vector<Piece>& pieces) {
     pieces.push_back({"median " + median, "med " + median,
                       i == 0 ? 4 : kFirstMedian + place});
   }
-  if (!progress.seasons.empty()) pieces.push_back({"cm/s", "cm/s", 2});
+  const bool has_speeds =
+      std::any_of(progress.seasons.begin(), progress.seasons.end(),
+                  [](const SeasonProgress& season) {
+                    return IsSpeed(season.best) || IsSpeed(season.median);
+                  });
+  if (has_speeds) pieces.push_back({"cm/s", "cm/s", 2});
 }
 
 std::vector<Piece> PiecesOf(const Progress& progress, int generations,

@@ -92,21 +92,23 @@ std::unique_ptr<Workers> WorkersFor(const RunRequest& request,
 /// A damaged run and an experiment for the new one, or what is wrong.
 MaybeFailure OpenSalvage(RunRequest& request, Salvage& salvage, Io& io) {
   if (MaybeFailure failure = salvage.Open(request.salvage)) return failure;
-  const std::optional<Experiment>& own = salvage.experiment();
-  if (!own && !request.experiment)
+  const std::optional<Experiment>& own_experiment = salvage.experiment();
+  if (!own_experiment && !request.experiment)
     return fmt::format(
         "what '{}' is a run of cannot be read: name the experiment's file, too",
         request.salvage);
-  if (own && request.experiment && !AreSame(*own, *request.experiment))
+  if (own_experiment && request.experiment &&
+      !AreSame(*own_experiment, *request.experiment))
     return fmt::format("'{}' is a run of another experiment or seed",
                        request.salvage);
-  if (!request.allow_other_version && salvage.versions() != ThisProgram())
+  const Versions own = VersionsFor(
+      (own_experiment ? own_experiment : request.experiment)->scenario);
+  if (!request.allow_other_version && !MakeTheSame(salvage.versions(), own))
     return fmt::format(
         "'{}' was begun by {}, and this is {} (where that does not matter: "
         "--allow-other-version)",
-        request.salvage, VersionsText(salvage.versions()),
-        VersionsText(ThisProgram()));
-  if (own) request.experiment = own;
+        request.salvage, VersionsText(salvage.versions()), VersionsText(own));
+  if (own_experiment) request.experiment = own_experiment;
   io.err << fmt::format("{} simulated seasons of '{}' can be used\n",
                         salvage.size(), request.salvage);
   return std::nullopt;
@@ -177,12 +179,14 @@ void ExecuteRest(const RunRequest& request, Stores& stores, SavedRun saved,
 }
 
 /// The shared cache and the log, if they are wanted.
-MaybeFailure OpenOthers(const RunRequest& request, Stores& stores) {
+MaybeFailure OpenOthers(const RunRequest& request, const Scenario& scenario,
+                        Stores& stores) {
   if (!request.json_log.empty())
     if (MaybeFailure failure = stores.log.Open(request.json_log))
       return failure;
   if (request.cache.empty()) return std::nullopt;
-  return stores.cache.emplace().Open(request.cache);
+  return stores.cache.emplace().Open(request.cache,
+                                     ThisEngine(UsesOde(scenario)));
 }
 
 /// All that the run needs, its session begun. What is there already is opened,
@@ -199,7 +203,10 @@ MaybeFailure OpenAll(const RunRequest& request, Stores& stores,
           check_lock(is_new ? RunStore::CheckCreate(request.path)
                             : OpenStore(request, store)))
     return failure;
-  if (MaybeFailure failure = OpenOthers(request, stores)) return failure;
+  const Experiment& experiment =
+      is_new ? *request.experiment : store.experiment();
+  if (MaybeFailure failure = OpenOthers(request, experiment.scenario, stores))
+    return failure;
   if (is_new)
     if (MaybeFailure failure =
             check_lock(store.Create(request.path, *request.experiment)))

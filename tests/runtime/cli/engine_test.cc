@@ -15,13 +15,13 @@ using Json = nlohmann::json;
 using test::ReadFile;
 using test::RunPlsc;
 
-constexpr const char* kSeasons =
+constexpr const char* kBothGrounds =
     "seasons:\n"
     "  - {name: flat, duration: 1 s, senses: {inclined: False}}\n"
     "  - {name: hill, terrain: {tilted: 5 deg}, duration: 1 s,\n"
     "     senses: {inclined: True}}\n";
 
-bool Has(const std::string& text, const std::string& part) {
+bool Mentions(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
@@ -68,7 +68,7 @@ test::Ran With(std::vector<std::string> command, const std::string& engine) {
 }
 
 TEST_CASE("--engine is taken by every command that simulates", "[engine]") {
-  const Commands commands(kSeasons);
+  const Commands commands(kBothGrounds);
   for (const auto& command : commands.all) {
     INFO(command[0]);
     const auto ran = With(command, "articulated");
@@ -76,9 +76,9 @@ TEST_CASE("--engine is taken by every command that simulates", "[engine]") {
     CHECK(ran.exit == 0);
     const auto near = With(command, "articlated");
     CHECK(near.exit == 2);
-    CHECK(Has(near.err,
-              "expected ode|articulated, found 'articlated'; did you "
-              "mean 'articulated'?"));
+    CHECK(Mentions(near.err,
+                   "expected ode|articulated, found 'articlated'; did you "
+                   "mean 'articulated'?"));
   }
 }
 
@@ -94,46 +94,46 @@ TEST_CASE("--engine says which season it cannot live", "[engine]") {
       INFO(command[0]);
       const auto ran = With(command, "articulated");
       CHECK(ran.exit == 1);
-      CHECK(Has(ran.err, "error: --engine articulated: season 'two'"));
-      CHECK(Has(ran.err, "= help: "));
+      CHECK(Mentions(ran.err, "error: --engine articulated: season 'two'"));
+      CHECK(Mentions(ran.err, "= help: "));
     }
   }
 }
 
 TEST_CASE("a run says which engine it was asked for", "[engine]") {
   const test::TemporaryFolder folder;
-  const std::string file = folder.Write("e.yaml", ExperimentOf(kSeasons));
+  const std::string file = folder.Write("e.yaml", ExperimentOf(kBothGrounds));
   const std::string run = folder / "run.sqlite";
   const auto ran =
       RunPlsc({"evolve", file, "-o", run, "--engine", "articulated"});
   INFO(ran.err);
   REQUIRE(ran.exit == 0);
-  CHECK_FALSE(Has(ran.err, "swift"));
+  CHECK_FALSE(Mentions(ran.err, "swift"));
   std::istringstream lines(RunPlsc({"export", run, "--jsonl"}).out);
   std::string line;
   std::getline(lines, line);
   const Json head = Json::parse(line)["run"];
-  CHECK(Has(head["experiment"], "engine: articulated\n"));
-  CHECK(Has(head["scenario"], "engine: articulated\n"));
+  CHECK(Mentions(head["experiment"], "engine: articulated\n"));
+  CHECK(Mentions(head["scenario"], "engine: articulated\n"));
   SECTION("and goes on with no other") {
     const auto resumed =
         RunPlsc({"evolve", "--resume", run, "--engine", "articulated"});
     CHECK(resumed.exit == 2);
-    CHECK(Has(resumed.err, "nor --engine"));
+    CHECK(Mentions(resumed.err, "nor --engine"));
     const auto other = RunPlsc({"evolve", file, "-o", run, "--or-resume"});
     CHECK(other.exit == 1);
-    CHECK(Has(other.err, "is a run of another experiment"));
+    CHECK(Mentions(other.err, "is a run of another experiment"));
     CHECK(RunPlsc({"evolve", file, "-o", run, "--or-resume", "--engine",
                    "articulated"})
               .exit == 0);
     const auto salvaged = RunPlsc(
         {"evolve", "--salvage", run, "-o", folder / "new", "--engine", "ode"});
     CHECK(salvaged.exit == 2);
-    CHECK(Has(salvaged.err, "nor --engine"));
+    CHECK(Mentions(salvaged.err, "nor --engine"));
   }
   SECTION("and is the one of a written key") {
     const std::string written = ExperimentOf(
-        "physics: {engine: articulated}\n" + std::string(kSeasons));
+        "physics: {engine: articulated}\n" + std::string(kBothGrounds));
     CHECK(RunPlsc({"evolve", folder.Write("w.yaml", written), "-o", run,
                    "--or-resume"})
               .exit == 0);
@@ -150,11 +150,11 @@ TEST_CASE("ODE's runs mention once that there is a faster engine", "[engine]") {
   const std::string swift = "profile: swift\n";
   const std::string iterative = "physics: {solver: iterative}\n";
   const std::vector<Row> rows = {
-      {"ODE", kSeasons, {}, true},
-      {"the other engine", swift + kSeasons, {}, false},
-      {"asked for", kSeasons, {"--engine", "ode"}, false},
-      {"quiet", kSeasons, {"--quiet"}, false},
-      {"what the other cannot live", iterative + kSeasons, {}, false},
+      {"ODE", kBothGrounds, {}, true},
+      {"the other engine", swift + kBothGrounds, {}, false},
+      {"asked for", kBothGrounds, {"--engine", "ode"}, false},
+      {"quiet", kBothGrounds, {"--quiet"}, false},
+      {"what the other cannot live", iterative + kBothGrounds, {}, false},
   };
   for (const Row& row : rows) {
     INFO(row.why);
@@ -175,16 +175,16 @@ TEST_CASE("ODE's runs mention once that there is a faster engine", "[engine]") {
       CHECK((first != std::string::npos) == row.is_mentioned);
       if (row.is_mentioned)
         CHECK(ran.err.find("swift", first + 1) == std::string::npos);
-      CHECK_FALSE(Has(ran.out, "swift"));
+      CHECK_FALSE(Mentions(ran.out, "swift"));
     }
   }
 }
 
 TEST_CASE("what shows a life tells its engine", "[engine]") {
-  const Commands commands(kSeasons);
+  const Commands commands(kBothGrounds);
   const auto simulated = With(commands.all[0], "articulated");
-  CHECK(Has(simulated.out, "(profile paper, engine articulated)\n"));
-  CHECK(Has(RunPlsc(commands.all[0]).out, "(profile paper)\n"));
+  CHECK(Mentions(simulated.out, "(profile paper, engine articulated)\n"));
+  CHECK(Mentions(RunPlsc(commands.all[0]).out, "(profile paper)\n"));
   for (const char* engine : {"ode", "articulated"}) {
     const auto json_of = [&](const std::vector<std::string>& more) {
       std::vector<std::string> arguments = {"export", "-",    "--env",
@@ -208,7 +208,7 @@ TEST_CASE("what shows a life tells its engine", "[engine]") {
       RunPlsc({"view", test::FinishedRun().path(), "best", "--engine",
                "articulated", "-o", commands.folder / "run.html"});
   CHECK(page.exit == 0);
-  CHECK_FALSE(Has(page.err, "warning"));
+  CHECK_FALSE(Mentions(page.err, "warning"));
 }
 
 }  // namespace

@@ -52,6 +52,8 @@ std::string ChangedCopy(const TemporaryFolder& folder, const std::string& sql,
     for (int id = 1; id <= 18; ++id)
       for (int season = 1; season <= 2; ++season)
         update.With(sums.OfEvaluation(id, season), id, season).Run();
+    Statement run(store, "UPDATE run SET checksum = ?");
+    run.With(sums.OfRun()).Run();
   }
   REQUIRE_FALSE(store.TakeFailure());
   return copy;

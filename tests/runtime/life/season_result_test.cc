@@ -1,6 +1,7 @@
 #include "runtime/life/season_result.h"
 
 #include <catch2/catch.hpp>
+#include <optional>
 #include <vector>
 
 namespace plsc {
@@ -26,6 +27,24 @@ TEST_CASE("The fitness of a season is Eq. 2, in m/s", "[season_result]") {
       CHECK(SeasonFitness(row.speed, row.hinges) ==
             Approx(row.expected).epsilon(1e-15));
     }
+  }
+}
+
+TEST_CASE("A penalty is told as one, and not as a speed", "[season_result]") {
+  struct Row {
+    std::optional<double> fitness;
+    const char* text;
+    bool is_speed;
+  };
+  const std::vector<Row> rows = {{SeasonFitness(0.0266, 3), "2.66", true},
+                                 {SeasonFitness(-0.01, 3), "-0.10", true},
+                                 {SeasonFitness(0.0266, 0), "penalty", false},
+                                 {SeasonFitness(0, 3), "penalty", false},
+                                 {std::nullopt, "none", false}};
+  for (const Row& row : rows) {
+    INFO(row.text);
+    CHECK(FitnessText(row.fitness) == row.text);
+    CHECK(IsSpeed(row.fitness) == row.is_speed);
   }
 }
 

@@ -106,8 +106,10 @@ TEST_CASE("The example studies are right", "[study]") {
   };
   const Study paper = read("paper_study.yaml");
   CHECK(RunsOf(paper).size() == 4 * 20);
-  // The paper's experiment is what all defaults are; and its two halves.
-  const Experiment defaults;
+  // The paper's experiment is what all defaults are, but for the engine; and
+  // its two halves.
+  Experiment defaults;
+  defaults.scenario = BothSeasons(Profile::kSwift);
   CHECK(paper.experiments[0].experiment == defaults);
   Experiment expected = defaults;
   expected.genotype.encoding = Encoding::kBaseline;

@@ -4,6 +4,7 @@ import "./main.css";
 import { readData } from "../common/data.js";
 import { element } from "../common/dom.js";
 import { differencesSection } from "./differences.js";
+import { enginesSection } from "./engines.js";
 import { gallerySection } from "./gallery.js";
 import { measureSection } from "./measures.js";
 import { numbered } from "./numbered.js";
@@ -64,7 +65,7 @@ function show(data) {
   const styles = stylesOf(data.experiments);
   const measures = data.measures.map((_, index) => measureSection(data, styles, index)).filter(Boolean);
   const differences = differencesSection(data);
-  const rest = [testsSection(data), plasticitySection(data, styles), gallerySection(data), provenanceSection(data)].filter(Boolean);
+  const rest = [testsSection(data), plasticitySection(data, styles), enginesSection(data, styles), gallerySection(data), provenanceSection(data)].filter(Boolean);
   const all = measuresSection(data, measures);
   document.body.append(element("main", {}, header(data), contents([differences, ...measures, ...rest]), differences, all, rest));
 }

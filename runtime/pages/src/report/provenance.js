@@ -87,7 +87,10 @@ const verifiedText = ({ verified }) =>
 function versions(runs) {
   const texts = new Map();
   for (const run of runs) {
-    const text = `plsc ${run.plsc}, ODE ${run.ode}, compiler ${run.compiler}, machine ${run.machine}`;
+    const text =
+      run.machine === "any"
+        ? `plsc ${run.plsc}, results ${run.results}, by the articulated engine, which comes to the same bits on any machine`
+        : `plsc ${run.plsc}, results ${run.results}, ODE ${run.ode}, compiler ${run.compiler}, machine ${run.machine}`;
     texts.set(text, [...(texts.get(text) ?? []), run.label]);
   }
   if (texts.size === 1) return [element("p", {}, `All runs: ${[...texts.keys()][0]}.`)];

@@ -73,6 +73,60 @@ TEST_CASE("replay trusts no damaged number", "[replay]") {
   CHECK(all.out.empty());
 }
 
+TEST_CASE("replay --engine tells how survivors rank by that engine",
+          "[replay]") {
+  const std::string run = test::FinishedRun().path();
+  const auto text = RunPlsc({"replay", run, "--engine", "articulated"});
+  INFO(text.err);
+  CHECK(text.exit == 0);
+  CHECK(text.out.find("6 robots of generation 2, by the engine articulated\n"
+                      "season ") == 0);
+  CHECK(std::count(text.out.begin(), text.out.end(), '\n') == 4);
+  // By the engine of the run nothing differs.
+  const auto same =
+      RunPlsc({"replay", run, "--all", "--engine", "ode", "--format", "json"});
+  CHECK(same.exit == 0);
+  const Json check = Json::parse(same.out);
+  CHECK(check["engine"] == "ode");
+  CHECK(check["generation"].is_null());
+  CHECK(check["robots"] == 18);
+  for (const Json& season : check["seasons"]) {
+    CHECK(season["largest_difference"] == 0);
+    CHECK(season["only_now"] == 0);
+    CHECK(season["lives"].size() == 18);
+  }
+  const auto two =
+      RunPlsc({"replay", run, "3", "best", "--engine", "articulated"});
+  CHECK(two.out.find("2 robots, by the engine") == 0);
+  CHECK(RunPlsc({"replay", run, "--engine", "bullet"}).exit == 2);
+  const test::TemporaryFolder folder;
+  const auto iterative = RunPlsc(
+      {"replay",
+       test::ChangedRun(folder,
+                        "UPDATE run SET experiment = replace(experiment, "
+                        "'solver: direct', 'solver: iterative')"),
+       "--engine", "articulated"});
+  CHECK(iterative.exit == 1);
+  CHECK(iterative.err.find("cannot be lived by the engine articulated: season "
+                           "'") != std::string::npos);
+}
+
+TEST_CASE("replay expects differences from other arithmetic", "[replay]") {
+  const test::TemporaryFolder folder;
+  const std::string run =
+      test::ChangedRun(folder, "UPDATE run SET results = 1, plsc = '0.1.0'");
+  const auto same = RunPlsc({"replay", run});
+  CHECK(same.err.find("made by other arithmetic (results 1, and of this "
+                      "program 2): differences expected") != std::string::npos);
+  const test::TemporaryFolder second;
+  const auto other = RunPlsc(
+      {"replay", test::ChangedRun(second,
+                                  "UPDATE run SET results = 1, plsc = '0.1.0'; "
+                                  "UPDATE evaluation SET fitness = 17")});
+  CHECK(other.exit == 1);
+  CHECK(other.err.find("plsc 0.1.0 repeats it") != std::string::npos);
+}
+
 TEST_CASE("replay says what it cannot find", "[replay]") {
   const test::TemporaryFolder folder;
   CHECK(RunPlsc({"replay", test::FinishedRun().path(), "77"}).exit == 1);

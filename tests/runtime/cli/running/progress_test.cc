@@ -46,6 +46,18 @@ TEST_CASE("progress shows how fast, how long, and the best", "[progress]") {
         "flat best 1.23  median 0.10  tilted best none  median none  cm/s");
 }
 
+TEST_CASE("progress shows penalties as penalties", "[progress]") {
+  Progress progress = Half();
+  progress.seasons = {{"flat", 0.0123, -0.1}, {"tilted", -0.1, {}}};
+  CHECK(ProgressText(progress, 10, {}, 0) ==
+        "generation 5/10  100/200 evaluations  1/2 busy  flat best 1.23  "
+        "median penalty  tilted best penalty  median none  cm/s");
+  progress.seasons = {{"flat", -0.1, {}}};
+  CHECK(ProgressText(progress, 10, {}, 0) ==
+        "generation 5/10  100/200 evaluations  1/2 busy  flat best penalty  "
+        "median none");
+}
+
 TEST_CASE("progress before the first evaluation has no rate", "[progress]") {
   CHECK(ProgressText(Progress{}, 10, {}, 0) ==
         "generation 1/10  0/0 evaluations  0/0 busy");
