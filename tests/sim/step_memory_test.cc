@@ -70,7 +70,8 @@ TEST_CASE("Steps ask for no memory", "[memory]") {
     for (const int size : {2, 5, 8, 15}) {
       CAPTURE(size);
       const Phenotype robot = RandomRobot(size, random);
-      CHECK(CallsOfSteps(robot, terrain, options, 200, 2800) == 0);
+      CHECK(CallsOfSteps(robot, terrain, options, test::Of(engine, 200, 1),
+                         2800) == 0);
     }
   }
 }
@@ -88,7 +89,7 @@ TEST_CASE("Nor do the articulated engine's of robots of any size", "[memory]") {
     for (const Terrain& terrain :
          {Terrain{}, test::RoughGround(1, 0.02, 0.2)}) {
       CAPTURE(static_cast<int>(terrain.type));
-      CHECK(CallsOfSteps(WithOscillators(body, 1, 2), terrain, options, 200,
+      CHECK(CallsOfSteps(WithOscillators(body, 1, 2), terrain, options, 1,
                          200) == 0);
     }
   }
