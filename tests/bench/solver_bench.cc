@@ -159,7 +159,7 @@ double RankCorrelation(const std::vector<double>& a,
     yy += (y[i] - mean) * (y[i] - mean);
     xy += (x[i] - mean) * (y[i] - mean);
   }
-  return xy / std::sqrt(xx * yy);
+  return xx * yy > 0 ? xy / std::sqrt(xx * yy) : 0;  // all alike
 }
 
 /// Of the displacement; sum of differences over sum of values.
