@@ -47,7 +47,7 @@ ArticulatedEngine::ArticulatedEngine(const Scene& scene)
       axes_(GroundAxes(scene.terrain)),
       fall_(axes_.transpose() * Vector3d(0, 0, -physics_.gravity)),
       collider_(scene, model_),
-      rows_(model_, physics_),
+      rows_(model_, physics_, kReservedContacts + 4 * model_.links().size()),
       motors_(model_, scene.options),
       problem_(model_.links().size() - 1,
                kReservedContacts + 4 * model_.links().size(), physics_.step),

@@ -39,14 +39,18 @@ Grip::Kind KindOf(const Contact& contact) {
 
 }  // namespace
 
-ContactRows::ContactRows(const Model& model, const PhysicsOptions& physics)
+ContactRows::ContactRows(const Model& model, const PhysicsOptions& physics,
+                         std::size_t contacts)
     : model_(model),
       physics_(physics),
       on_ground_(RobotOnGround(physics)),
       on_robot_(RobotOnRobot(physics)),
       pressing_on_ground_(StiffnessOf(on_ground_.cfm)),
       pressing_on_robot_(StiffnessOf(on_robot_.cfm)),
-      rubbing_(StiffnessOf(physics.slip)) {}
+      rubbing_(StiffnessOf(physics.slip)) {
+  known_.reserve(contacts);
+  last_.reserve(contacts);
+}
 
 void ContactRows::Forget() {
   last_.clear();

@@ -16,7 +16,9 @@ namespace plsc::articulated {
 
 class ContactRows {
  public:
-  ContactRows(const Model& model, const PhysicsOptions& physics);
+  /// With memory for so many contacts at first.
+  ContactRows(const Model& model, const PhysicsOptions& physics,
+              std::size_t contacts);
 
   /// Rows of all contacts, as functions of the base's motion. The contacts
   /// must last until the step's end.
