@@ -46,7 +46,10 @@ ContactRows::ContactRows(const Model& model, const PhysicsOptions& physics)
       on_robot_(RobotOnRobot(physics)),
       pressing_on_ground_(StiffnessOf(on_ground_.cfm)),
       pressing_on_robot_(StiffnessOf(on_robot_.cfm)),
-      rubbing_(StiffnessOf(physics.slip)) {}
+      rubbing_(StiffnessOf(physics.slip)) {
+  known_.reserve(ReservedContacts(model.links().size()));
+  last_.reserve(known_.capacity());
+}
 
 void ContactRows::Forget() {
   last_.clear();
