@@ -26,10 +26,6 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-// Beside four a link on the ground: more than robots of 15 modules were seen to
-// have between links.
-constexpr std::size_t kReservedContacts = 64;
-
 std::size_t At(int index) {
   return static_cast<std::size_t>(index);
 }
@@ -47,10 +43,10 @@ ArticulatedEngine::ArticulatedEngine(const Scene& scene)
       axes_(GroundAxes(scene.terrain)),
       fall_(axes_.transpose() * Vector3d(0, 0, -physics_.gravity)),
       collider_(scene, model_),
-      rows_(model_, physics_, kReservedContacts + 4 * model_.links().size()),
+      rows_(model_, physics_),
       motors_(model_, scene.options),
       problem_(model_.links().size() - 1,
-               kReservedContacts + 4 * model_.links().size(), physics_.step),
+               ReservedContacts(model_.links().size()), physics_.step),
       momenta_(model_.links().size()),
       excess_(model_.links().size()),
       check_(scene) {

@@ -35,8 +35,8 @@ constexpr double kFar = std::numeric_limits<double>::infinity();
 // Of a normal's z: within 45 degrees of the vertical it holds up.
 constexpr double kUpright = 0.7071;
 
-// Contacts that are reserved: more than robots of 15 modules were seen to have.
-constexpr std::size_t kReserved = 64;
+// Boxes on the ground that a robot's box may be at, with memory from the start.
+constexpr std::size_t kReservedBoxes = 16;
 
 OrientedBox Put(const BoxModel& box, const LinkState& link,
                 const Vector3d& origin) {
@@ -111,8 +111,9 @@ Collider::Collider(const Scene& scene, const Model& model)
     corners_.push_back(CornersOf(link));
     most = std::max(most, 27 * link.boxes.size());
   }
-  found_.reserve(most);
-  contacts_.reserve(kReserved + 8 * scene.assembly.links.size());
+  for (auto* of_link : {&found_, &upright_, &leaning_}) of_link->reserve(most);
+  near_.reserve(kReservedBoxes);
+  contacts_.reserve(ReservedContacts(scene.assembly.links.size()));
   for (const LinkPair& pair : CollidingPairs(scene.assembly)) {
     const int common = CommonOf(model, pair.a, pair.b);
     pairs_.push_back(

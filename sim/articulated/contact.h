@@ -5,11 +5,19 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 
 namespace plsc::articulated {
 
 inline constexpr int kGround = -1;
+
+/// Contacts that there is memory for from the start, of a robot of so many
+/// links: four each on the ground, and more between links than robots of 15
+/// modules were seen to have.
+inline std::size_t ReservedContacts(std::size_t links) {
+  return 64 + 4 * links;
+}
 
 struct Contact {
   int link = 0;           ///< pushed along the normal

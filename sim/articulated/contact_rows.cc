@@ -39,8 +39,7 @@ Grip::Kind KindOf(const Contact& contact) {
 
 }  // namespace
 
-ContactRows::ContactRows(const Model& model, const PhysicsOptions& physics,
-                         std::size_t contacts)
+ContactRows::ContactRows(const Model& model, const PhysicsOptions& physics)
     : model_(model),
       physics_(physics),
       on_ground_(RobotOnGround(physics)),
@@ -48,8 +47,8 @@ ContactRows::ContactRows(const Model& model, const PhysicsOptions& physics,
       pressing_on_ground_(StiffnessOf(on_ground_.cfm)),
       pressing_on_robot_(StiffnessOf(on_robot_.cfm)),
       rubbing_(StiffnessOf(physics.slip)) {
-  known_.reserve(contacts);
-  last_.reserve(contacts);
+  known_.reserve(ReservedContacts(model.links().size()));
+  last_.reserve(known_.capacity());
 }
 
 void ContactRows::Forget() {

@@ -16,9 +16,7 @@ namespace plsc::articulated {
 
 class ContactRows {
  public:
-  /// With memory for so many contacts at first.
-  ContactRows(const Model& model, const PhysicsOptions& physics,
-              std::size_t contacts);
+  ContactRows(const Model& model, const PhysicsOptions& physics);
 
   /// Rows of all contacts, as functions of the base's motion. The contacts
   /// must last until the step's end.

@@ -71,4 +71,16 @@ inline Body Cross() {
   return body;
 }
 
+/// A comb: a chain of bricks, each with a joint to its left, two modules a
+/// pair.
+inline Body Comb(int pairs) {
+  Body body = LoneCore();
+  int end = 0;
+  for (int i = 0; i < pairs; ++i) {
+    end = Mount(body, end, Slot::kFront, ModuleType::kBrick);
+    Mount(body, end, Slot::kLeft, ModuleType::kHorizontalJoint);
+  }
+  return body;
+}
+
 }  // namespace plsc

@@ -20,18 +20,6 @@ SimulationOptions Second(EngineKind engine) {
   return options;
 }
 
-/// A comb: a chain of bricks, each with a joint to its left, two modules a
-/// pair.
-Body Comb(int pairs) {
-  Body body = LoneCore();
-  int end = 0;
-  for (int i = 0; i < pairs; ++i) {
-    end = Mount(body, end, Slot::kFront, ModuleType::kBrick);
-    Mount(body, end, Slot::kLeft, ModuleType::kHorizontalJoint);
-  }
-  return body;
-}
-
 TEST_CASE("Lives that cannot be lived have an outcome and a reason",
           "[limits]") {
   const EngineKind engine = test::EachEngine();

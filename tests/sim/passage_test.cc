@@ -2,10 +2,12 @@
 
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <random>
 
 #include "sim/assembly.h"
 #include "tests/sim/bodies.h"
 #include "tests/sim/engines.h"
+#include "tests/sim/random_robot.h"
 #include "tests/sim/terrains.h"
 
 namespace plsc {
@@ -84,6 +86,38 @@ TEST_CASE("A life in two seasons is the life in one", "[passage]") {
         Approx(straight.trajectory.joint_angle(
                    0, straight.trajectory.time.size() - 1))
             .margin(1e-3));
+}
+
+TEST_CASE("A life goes on from ground to ground", "[passage]") {
+  const EngineKind engine = test::EachEngine();
+  CAPTURE(engine);
+  const Terrain grounds[] = {
+      {}, test::Slope(5), test::RoughGround(1, 0.02, 0.2), {}};
+  std::mt19937 random(11);  // any
+  for (const int size : {4, 8, 12}) {
+    CAPTURE(size);
+    const Phenotype robot = RandomRobot(size, random);
+    Lived last = Live(robot, grounds[0], OneSecond(engine), {});
+    for (int season = 1; season < 4; ++season) {
+      CAPTURE(season);
+      const LifeState carried =
+          Carry(last.end, robot, {grounds[season - 1], grounds[season], 1e-4});
+      const Lived next =
+          Live(robot, grounds[season], OneSecond(engine), {0, {}, &carried});
+      REQUIRE(next.trajectory.outcome == Outcome::kCompleted);
+      // Joints are as they were, and nothing leaps.
+      const Eigen::Index end = last.trajectory.time.size() - 1;
+      CHECK((next.trajectory.joint_angle.col(0) -
+             last.trajectory.joint_angle.col(end))
+                .norm() < 1e-9);
+      CHECK((next.trajectory.core_position.col(0) - carried.core.position)
+                .norm() < 1e-9);
+      CHECK((next.trajectory.core_position.rightCols(1) -
+             next.trajectory.core_position.leftCols(1))
+                .norm() < 0.1);
+      last = next;
+    }
+  }
 }
 
 }  // namespace
