@@ -1,9 +1,11 @@
-// What a step of a simulated robot costs: beside MuJoCo on the same robots (if
-// it was found when configuring), by part, and on the heap. Both engines take
-// turns in one process and processor time of the thread is counted, so that
-// other programs disturb ratios little. Reports; asserts nothing.
+// What a step of a robot costs in the articulated engine, or in ODE: beside
+// MuJoCo on the same robots (if it was found when configuring), by part, and on
+// the heap. Robots are random, of five sizes, and evolved (tests/data). Both
+// engines take turns in one process and processor time of the thread is
+// counted, so that other programs disturb ratios little. Reports; asserts
+// nothing.
 //
-//   physics_bench [--smoke | SECONDS]   simulated time of each robot; 5
+//   physics_bench [--smoke | SECONDS] [--ode]   simulated time of each robot; 5
 
 #include <fmt/core.h>
 
@@ -19,6 +21,7 @@
 #include "sim/controller.h"
 #include "sim/schedule.h"
 #include "sim/simulate.h"
+#include "tests/bench/evolved_robots.h"
 #include "tests/bench/stopwatch.h"
 #include "tests/heap.h"
 #include "tests/sim/random_robot.h"
@@ -35,12 +38,14 @@ constexpr int kRounds = 3;            // of the same life; the quickest counts
 constexpr int kTurn = 50;             // steps an engine takes in turn
 constexpr unsigned kSeed = 20200217;  // any; the same robots each time
 
-/// Of `paper`, but open-loop: these robots have no sensors.
+EngineKind engine = EngineKind::kArticulated;  // NOLINT: of the whole program
+
+/// Of `swift`, but open-loop: the robots' touch is not told in MuJoCo.
 SimulationOptions Options(double duration) {
   SimulationOptions options;
   options.duration = duration;
   options.start_height.reset();
-  options.physics.engine = EngineKind::kArticulated;
+  options.physics.engine = engine;
   return options;
 }
 
@@ -157,13 +162,15 @@ void CompareOne(const Phenotype& phenotype, const Terrain& terrain,
   for (const double seconds : ours) sum.ours.seconds += seconds;
   for (const double seconds : mujoco) sum.mujoco.seconds += seconds;
   sum.turns += static_cast<double>(turns);
-  sum.links += static_cast<double>(assembly.links.size()) / kRobots;
+  sum.links += static_cast<double>(assembly.links.size());
 }
 
-Comparison Compare(int size, const Terrain& terrain, double duration) {
+Comparison Compare(const std::vector<Phenotype>& robots, const Terrain& terrain,
+                   const SimulationOptions& options) {
   Comparison sum;
-  for (const Phenotype& phenotype : Robots(size))
-    CompareOne(phenotype, terrain, Options(duration), sum);
+  for (const Phenotype& phenotype : robots)
+    CompareOne(phenotype, terrain, options, sum);
+  sum.links /= static_cast<double>(robots.size());
   return sum;
 }
 
@@ -175,23 +182,27 @@ void PrintComparison(double duration) {
       " {:>10}\n",
       "modules", "links", "ground", "us/step", "x real", "contacts", "bend",
       "MuJoCo", "contacts", "bend", "MuJoCo/us");
+  const auto line = [&](const std::string& name, double degrees,
+                        const std::vector<Phenotype>& robots) {
+    const Terrain terrain = degrees > 0 ? test::Slope(degrees) : Terrain{};
+    const Comparison c = Compare(robots, terrain, Options(duration));
+    const double ours = c.Microseconds(c.ours);
+    const double theirs = c.Microseconds(c.mujoco);
+    fmt::print("{:>7} {:>5.1f} {:>6} | {:>7.2f} {:>6.0f} {:>8.1f} {:>5.2f} |",
+               name, c.links, degrees > 0 ? "5 deg" : "flat", ours, 5000 / ours,
+               c.ours.contacts / c.turns, c.ours.bend / c.ours.joints);
+    if (theirs > 0)
+      fmt::print(" {:>7.1f} {:>8.1f} {:>5.2f} | {:>10.2f}\n", theirs,
+                 c.mujoco.contacts / c.turns, c.mujoco.bend / c.mujoco.joints,
+                 theirs / ours);
+    else
+      fmt::print(" not found when configuring\n");
+  };
   for (const int size : {5, 8, 10, 15, 17})
-    for (const double degrees : {0.0, 5.0}) {
-      const Terrain terrain = degrees > 0 ? test::Slope(degrees) : Terrain{};
-      const Comparison c = Compare(size, terrain, duration);
-      const double ours = c.Microseconds(c.ours);
-      const double theirs = c.Microseconds(c.mujoco);
-      fmt::print("{:>7} {:>5.1f} {:>6} | {:>7.1f} {:>6.0f} {:>8.1f} {:>5.2f} |",
-                 size, c.links, degrees > 0 ? "5 deg" : "flat", ours,
-                 5000 / ours, c.ours.contacts / c.turns,
-                 c.ours.bend / c.ours.joints);
-      if (theirs > 0)
-        fmt::print(" {:>7.1f} {:>8.1f} {:>5.2f} | {:>10.2f}\n", theirs,
-                   c.mujoco.contacts / c.turns, c.mujoco.bend / c.mujoco.joints,
-                   theirs / ours);
-      else
-        fmt::print(" not found when configuring\n");
-    }
+    for (const double degrees : {0.0, 5.0})
+      line(std::to_string(size), degrees, Robots(size));
+  for (const double degrees : {0.0, 5.0})
+    line("evolved", degrees, EvolvedRobots(degrees > 0));
   fmt::print(
       "RoboGen, 17 parts, 5 ms: 41 to 58 x real time (measured "
       "elsewhere, on another machine)\n\n");
@@ -286,13 +297,17 @@ void PrintHeap(double duration) {
 }  // namespace plsc::bench
 
 int main(int argc, char** argv) {
+  if (argc > 1 && std::strcmp(argv[argc - 1], "--ode") == 0) {
+    plsc::bench::engine = plsc::EngineKind::kOde;
+    --argc;
+  }
   // --smoke only shows that it runs; its figures mean nothing.
   const bool smoke = argc > 1 && std::strcmp(argv[1], "--smoke") == 0;
   const double duration = smoke      ? 0.25
                           : argc > 1 ? std::strtod(argv[1], nullptr)
                                      : 5;
   if (!(duration > 0)) {
-    fmt::print(stderr, "usage: physics_bench [--smoke | SECONDS]\n");
+    fmt::print(stderr, "usage: physics_bench [--smoke | SECONDS] [--ode]\n");
     return 2;
   }
   plsc::bench::PrintComparison(duration);

@@ -17,20 +17,17 @@
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
-#include <fstream>
-#include <iterator>
 #include <numeric>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
-#include "compiler/compile.h"
 #include "runtime/develop/develop.h"
 #include "runtime/vary/initialise.h"
 #include "sim/measures.h"
 #include "sim/overlap.h"
 #include "sim/simulate.h"
+#include "tests/bench/evolved_robots.h"
 #include "tests/bench/stopwatch.h"
 #include "tests/sim/terrains.h"
 
@@ -66,28 +63,6 @@ std::vector<Phenotype> RandomRobots(std::size_t count) {
     const Genotype genotype = Initialise(GenotypeOptions{}, rng);
     const std::optional<Phenotype> robot = Develop(
         genotype, Environment{std::vector<double>(genotype.states.size())});
-    if (!robot) continue;
-    const Assembly assembly = Assemble(robot->body);
-    if (!assembly.hinges.empty() && FindOverlaps(assembly).empty())
-      robots.push_back(*robot);
-  }
-  return robots;
-}
-
-/// Those in tests/data/evolved.pls, grown for flat or for inclined ground; but
-/// for those that have no joints there or overlap.
-std::vector<Phenotype> EvolvedRobots(bool is_inclined) {
-  const std::string path = PLSC_SOURCE_DIR "/tests/data/evolved.pls";
-  std::ifstream file(path);
-  const Source source(path, {std::istreambuf_iterator(file), {}});
-  const Result<std::vector<Program>> programs = CompileAll(source);
-  if (!programs) throw std::runtime_error("cannot compile " + path);
-  std::vector<Phenotype> robots;
-  for (const Program& program : *programs) {
-    const Genotype& genotype = program.genotype;
-    const std::optional<Phenotype> robot = Develop(
-        genotype,
-        Environment{std::vector<double>(genotype.states.size(), is_inclined)});
     if (!robot) continue;
     const Assembly assembly = Assemble(robot->body);
     if (!assembly.hinges.empty() && FindOverlaps(assembly).empty())
@@ -159,7 +134,7 @@ double RankCorrelation(const std::vector<double>& a,
     yy += (y[i] - mean) * (y[i] - mean);
     xy += (x[i] - mean) * (y[i] - mean);
   }
-  return xy / std::sqrt(xx * yy);
+  return xx * yy > 0 ? xy / std::sqrt(xx * yy) : 0;  // all alike
 }
 
 /// Of the displacement; sum of differences over sum of values.
