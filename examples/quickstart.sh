@@ -42,7 +42,9 @@ say "2. one genotype, two environments, two bodies"
 run develop "$robot" --svg "$output"
 say "3. both seasons in the simulator"
 run simulate "$robot" --descriptors
-say "4. a small seasonal evolution"
-run evolve examples/small.yaml -o "$output/run.sqlite"
-run replay "$output/run.sqlite" best
+say "4. evolution: 4000 robots that shall walk in both seasons"
+run evolve examples/walkers.yaml -o "$output/walkers.sqlite"
+run replay "$output/walkers.sqlite" best
+run view "$output/walkers.sqlite" best -o "$output/walkers.html" ||
+  say "no page: plsc was built without npm"
 say "done: pictures and the run are in $output"

@@ -30,6 +30,25 @@ Symmetric TurnedOut(const Matrix3d& axes, const Matrix3d& inertia) {
           entry(1, 1), entry(1, 2), entry(2, 2)};
 }
 
+namespace {
+
+/// Hinge and axes of a link that turns about axis I of its parent's.
+template <int I>
+void Turn(const Matrix3d& parent, double sign, LinkState& own) {
+  constexpr int kNext = (I + 1) % 3, kLast = (I + 2) % 3;
+  const SineCosine turn = SinCos(own.angle);
+  const double s = sign * turn.sine, c = turn.cosine;
+  own.hinge = sign * parent.col(I);
+  own.axes.col(I) = parent.col(I);
+  own.axes.col(kNext) = c * parent.col(kNext) + s * parent.col(kLast);
+  own.axes.col(kLast) = c * parent.col(kLast) - s * parent.col(kNext);
+}
+
+constexpr void (*kTurns[])(const Matrix3d&, double, LinkState&) = {
+    Turn<0>, Turn<1>, Turn<2>};
+
+}  // namespace
+
 void Place(const Model& model, State& state) {
   LinkState& base = state.links[0];
   base.axes = state.turned.toRotationMatrix();
@@ -40,14 +59,8 @@ void Place(const Model& model, State& state) {
     const LinkState& parent =
         state.links[static_cast<std::size_t>(link.parent)];
     LinkState& own = state.links[k];
-    const int i = link.axis, j = (i + 1) % 3, l = (i + 2) % 3;
-    const SineCosine turn = SinCos(own.angle);
-    const double s = link.sign * turn.sine, c = turn.cosine;
-    own.hinge = link.sign * parent.axes.col(i);
+    kTurns[link.axis](parent.axes, link.sign, own);
     own.anchor = parent.place + parent.axes * link.anchor;
-    own.axes.col(i) = parent.axes.col(i);
-    own.axes.col(j) = c * parent.axes.col(j) + s * parent.axes.col(l);
-    own.axes.col(l) = c * parent.axes.col(l) - s * parent.axes.col(j);
     own.place = own.anchor + own.axes * link.arm;
     state.moment += link.mass * own.place;
   }

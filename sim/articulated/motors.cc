@@ -14,9 +14,13 @@
 // unknown, which is the full problem. Those freed this way in either phase are
 // free in the next step from the start.
 //
-// At a stop ODE puts the stop's row in the servo's place and lets the servo
-// push with all it has in the direction of its target: v = -erp / h (angle -
-// stop), force away from the stop only, and +-t besides.
+// A stop is a row beside the servo's: v = -erp / h (angle - stop), with force
+// away from the stop only. ODE has one row for both: at a stop it takes the
+// servo's away and gives all of its torque in the direction of the target, also
+// where that leads away from the stop. That is a kick of t h / I in a step,
+// which vanishes as h does: 9 rad/s of a limb, 500 of a lone plate, which is
+// why some lives in ODE end as unstable. Two rows are what its authors say
+// there should be (dxJointLimitMotor, "we actually need two lcp constraints").
 
 #include "sim/articulated/motors.h"
 
@@ -75,20 +79,17 @@ void Motors::MakeFree(int link, Hold hold, const Step& step) {
   const auto k = static_cast<std::size_t>(link);
   const LinkMomenta& own = step.momenta[k];
   const double angle = step.state.links[k].angle;
-  Row row;
-  if (IsAtStop(angle)) {
-    row = StopRow(targets_[k], angle);
-  } else {
-    row.low = -servo_.max_torque;
-    row.high = servo_.max_torque;
-  }
-  row.stiffness = StiffnessOf(physics_.world_cfm);
-  row.hold = hold;
+  Row servo;
+  servo.stiffness = StiffnessOf(physics_.world_cfm);
+  servo.low = -servo_.max_torque;
+  servo.high = servo_.max_torque;
+  servo.hold = hold;
 
   Problem& problem = step.problem;
   Free free;
   free.link = link;
-  free.unknown = problem.AddJoint(row);
+  free.unknown = problem.AddJoint(
+      servo, IsAtStop(angle) ? StopRow(targets_[k], angle) : Row{});
   for (int i = 0; i < 3; ++i) {
     problem.Mass(free.unknown, i) = own.momentum.angular[i];
     problem.Mass(free.unknown, 3 + i) = own.momentum.linear[i];
@@ -97,7 +98,7 @@ void Motors::MakeFree(int link, Hold hold, const Step& step) {
     problem.Mass(free.unknown, other.unknown) =
         Coupling(model_, step.momenta, link, other.link);
   problem.Mass(free.unknown, free.unknown) = own.motion.dot(own.momentum);
-  problem.Aim(free.unknown) = own.aim + PushAtStop(targets_[k], angle);
+  problem.Aim(free.unknown) = own.aim;
   step.contacts.AddJoint(link, free.unknown, step.state, problem);
 
   for (const Phase phase : {kPressing, kRubbing})
@@ -110,6 +111,7 @@ Row Motors::StopRow(double target, double angle) const {
   const bool is_low = angle <= -servo_.range;
   const double beyond = is_low ? angle + servo_.range : angle - servo_.range;
   Row row;
+  row.stiffness = StiffnessOf(physics_.world_cfm);
   row.offset = target;
   row.target = -physics_.world_erp / physics_.step * beyond;
   row.low = is_low ? 0 : -kNoLimit;
@@ -117,16 +119,9 @@ Row Motors::StopRow(double target, double angle) const {
   return row;
 }
 
-/// N m s, what a servo at a stop does in a step.
-double Motors::PushAtStop(double target, double angle) const {
-  if (!IsAtStop(angle)) return 0;
-  const bool is_up = target > 0 || (target == 0 && angle >= servo_.range);
-  return physics_.step * (is_up ? servo_.max_torque : -servo_.max_torque);
-}
-
 void Motors::BeginPhase(Phase phase, Problem& problem) const {
   for (const Free& free : free_)
-    problem.RowOf(free.unknown).hold = free.holds[phase];
+    problem.ServoOf(free.unknown).hold = free.holds[phase];
 }
 
 bool Motors::FreeOverloaded(Phase phase, const Step& step) {
@@ -165,7 +160,7 @@ bool Motors::FreeOverloaded(Phase phase, const Step& step) {
 
 void Motors::EndPhase(Phase phase, const Problem& problem) {
   for (const Free& free : free_) {
-    const Hold hold = problem.RowOf(free.unknown).hold;
+    const Hold hold = problem.ServoOf(free.unknown).hold;
     holds_[phase][static_cast<std::size_t>(free.link)] = hold;
   }
   if (phase != kRubbing) return;

@@ -63,7 +63,6 @@ class Motors {
 
   void MakeFree(int link, Hold hold, const Step& step);
   Row StopRow(double target, double angle) const;
-  double PushAtStop(double target, double angle) const;
   bool IsAtStop(double angle) const;
 
   const Model& model_;

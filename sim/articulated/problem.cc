@@ -19,7 +19,7 @@
 // else the pieces are those at x, and again. Holds of the last step are nearly
 // always right: 1.1 rounds a step. Where they go in circles, from the fifth
 // round on, each goes only as far along its direction as the function falls,
-// found to 1 % of its slope, which ends for every start.
+// found by its slope, which ends for every start.
 //
 // A contact acts on the base at one point d along three directions e, so its
 // rows (d x e, e) share K = sum e e' / c, and add K, [d]K and -[d]K[d]: on the
@@ -47,8 +47,14 @@ constexpr int kPlainRounds = 4;
 // took one a row, four at worst.
 constexpr int kMostRounds = 60;
 constexpr int kRoundsARow = 10;
+// Of the slope at the start of a way, what may be left at its end; a quick look
+// first, which mostly does. Later to the piece on which the function is least:
+// a servo's is 4e-6 rad/s wide, and a way that ends beside it has the next one
+// jump to its other side, and back.
+constexpr int kQuickRounds = 12;
 constexpr double kSlopeLeft = 0.01;
-constexpr int kMostCuts = 40;
+constexpr double kLittleSlopeLeft = 1e-9;
+constexpr int kMostCuts = 100;
 
 double ForceAt(const Row& row, double speed) {
   return std::clamp((row.target - speed) * row.stiffness, row.low, row.high);
@@ -135,7 +141,7 @@ Problem::Problem(std::size_t joints, std::size_t contacts, double step)
   next_.resize(stride_);
   unknowns_.resize(stride_);
   grips_.reserve(contacts);
-  rows_.reserve(most_rows_ + joints);
+  rows_.reserve(most_rows_ + 2 * joints);
   effects_.resize(joints * most_rows_);
 }
 
@@ -157,13 +163,14 @@ void Problem::AddContact(const Grip& grip) {
   effects_.resize((stride_ - kBase) * most_rows_);
 }
 
-int Problem::AddJoint(const Row& row) {
+int Problem::AddJoint(const Row& servo, const Row& stop) {
   const int index = size_++;
   std::fill_n(&mass_[Index(index, 0)], size_, 0.0);
   Aim(index) = 0;
   unknowns_[static_cast<std::size_t>(index)] = 0;
   std::fill_n(Effects(index), 3 * grips_.size(), 0.0);
-  rows_.push_back(row);
+  rows_.push_back(servo);
+  rows_.push_back(stop);
   return index;
 }
 
@@ -245,9 +252,10 @@ void Problem::FillJoint(Phase phase, int unknown) {
   double* const own = &matrix_[Index(unknown, 0)];
   std::copy_n(&mass_[Index(unknown, 0)], unknown + 1, own);
   double& right = next_[static_cast<std::size_t>(unknown)];
-  const Share motor = ShareOf(RowOf(unknown));
-  right = Aim(unknown) + step_ * motor.pull;
-  own[unknown] += step_ * motor.weight;
+  const Share servo = ShareOf(ServoOf(unknown));
+  const Share stop = ShareOf(StopOf(unknown));
+  right = Aim(unknown) + step_ * (servo.pull + stop.pull);
+  own[unknown] += step_ * (servo.weight + stop.weight);
   const double* const effects = Effects(unknown);
   const std::size_t every = phase == kPressing ? 3 : 1;
   for (std::size_t row = 0; row < 3 * grips_.size(); row += every) {
@@ -293,7 +301,8 @@ void Problem::AddSpeeds(Phase phase, const double* unknowns, double Row::*to) {
     const double turn = unknowns[unknown];
     for (std::size_t row = 0; row < 3 * grips_.size(); row += every)
       rows_[row].*to += effects[row] * turn;
-    RowOf(unknown).*to += turn;
+    ServoOf(unknown).*to += turn;
+    StopOf(unknown).*to += turn;
   }
 }
 
@@ -317,7 +326,7 @@ bool Problem::Settle(Phase phase) {
 }
 
 /// How far to go from the unknowns to `next_`: to where the function's slope
-/// along the way is at most kSlopeLeft of the slope at its start.
+/// along the way is nearly nothing.
 double Problem::StepLength(Phase phase) {
   const auto n = static_cast<std::size_t>(size_);
   double at_start = 0, per_way = 0;
@@ -341,7 +350,9 @@ double Problem::StepLength(Phase phase) {
     });
     return sum;
   };
-  const double enough = kSlopeLeft * std::abs(slope(0));
+  const double enough =
+      (rounds_ > kQuickRounds ? kLittleSlopeLeft : kSlopeLeft) *
+      std::abs(slope(0));
   double low = 0, high = 1;
   double at_low = slope(0), at_high = slope(1);
   if (std::abs(at_high) <= enough || !(at_high > 0)) return 1;

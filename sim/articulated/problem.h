@@ -82,11 +82,14 @@ class Problem {
   Row& RowAt(std::size_t row) { return rows_[row]; }
   const Row& RowAt(std::size_t row) const { return rows_[row]; }
 
-  /// A joint's speed as one unknown more, and the row of its servo or stop.
-  /// Mass, aim and effects on contacts are zero; its index among the unknowns.
-  int AddJoint(const Row& row);
-  Row& RowOf(int unknown) { return rows_[MotorRow(unknown)]; }
-  const Row& RowOf(int unknown) const { return rows_[MotorRow(unknown)]; }
+  /// A joint's speed as one unknown more, and the rows of its servo and its
+  /// stop. Mass, aim and effects on contacts are zero; its index among the
+  /// unknowns.
+  int AddJoint(const Row& servo, const Row& stop);
+  Row& ServoOf(int unknown) { return rows_[ServoRow(unknown)]; }
+  const Row& ServoOf(int unknown) const { return rows_[ServoRow(unknown)]; }
+  Row& StopOf(int unknown) { return rows_[ServoRow(unknown) + 1]; }
+  const Row& StopOf(int unknown) const { return rows_[ServoRow(unknown) + 1]; }
   /// m/s of a contact's row by 1 rad/s of a joint.
   void SetEffect(int unknown, std::size_t row, double effect) {
     Effects(unknown)[row] = effect;
@@ -110,8 +113,8 @@ class Problem {
     return static_cast<std::size_t>(row) * stride_ +
            static_cast<std::size_t>(column);
   }
-  std::size_t MotorRow(int unknown) const {
-    return 3 * grips_.size() + static_cast<std::size_t>(unknown - kBase);
+  std::size_t ServoRow(int unknown) const {
+    return 3 * grips_.size() + 2 * static_cast<std::size_t>(unknown - kBase);
   }
   double* Effects(int unknown) {
     return &effects_[static_cast<std::size_t>(unknown - kBase) * most_rows_];

@@ -2,7 +2,7 @@
 // correlations of speeds with ODE's direct solver at 1 ms, over random robots
 // and over evolved ones, on flat and on tilted ground. Random genotypes of the
 // evolver, developed; those without joints or that overlap are drawn again. The
-// evolved ones are filed (tests/data/evolved).
+// evolved ones are filed (tests/data/evolved.pls).
 //
 // One start is one draw: a micrometre more of clearance moves ranks by 0.01. So
 // each robot lives from several starts, and means and spreads over starts are
@@ -17,11 +17,15 @@
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
+#include <fstream>
+#include <iterator>
 #include <numeric>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "compiler/compile.h"
 #include "runtime/develop/develop.h"
 #include "runtime/vary/initialise.h"
 #include "sim/measures.h"
@@ -62,6 +66,28 @@ std::vector<Phenotype> RandomRobots(std::size_t count) {
     const Genotype genotype = Initialise(GenotypeOptions{}, rng);
     const std::optional<Phenotype> robot = Develop(
         genotype, Environment{std::vector<double>(genotype.states.size())});
+    if (!robot) continue;
+    const Assembly assembly = Assemble(robot->body);
+    if (!assembly.hinges.empty() && FindOverlaps(assembly).empty())
+      robots.push_back(*robot);
+  }
+  return robots;
+}
+
+/// Those in tests/data/evolved.pls, grown for flat or for inclined ground; but
+/// for those that have no joints there or overlap.
+std::vector<Phenotype> EvolvedRobots(bool is_inclined) {
+  const std::string path = PLSC_SOURCE_DIR "/tests/data/evolved.pls";
+  std::ifstream file(path);
+  const Source source(path, {std::istreambuf_iterator(file), {}});
+  const Result<std::vector<Program>> programs = CompileAll(source);
+  if (!programs) throw std::runtime_error("cannot compile " + path);
+  std::vector<Phenotype> robots;
+  for (const Program& program : *programs) {
+    const Genotype& genotype = program.genotype;
+    const std::optional<Phenotype> robot = Develop(
+        genotype,
+        Environment{std::vector<double>(genotype.states.size(), is_inclined)});
     if (!robot) continue;
     const Assembly assembly = Assemble(robot->body);
     if (!assembly.hinges.empty() && FindOverlaps(assembly).empty())
@@ -218,6 +244,13 @@ void RunAll(std::size_t count, double duration, int starts) {
   const std::vector<Phenotype> robots = RandomRobots(count);
   Run("random, flat", robots, {}, duration, starts);
   Run("random, 5 degrees", robots, test::Slope(5), duration, starts);
+  const auto few = [&](std::vector<Phenotype> evolved) {
+    if (evolved.size() > count) evolved.resize(count);
+    return evolved;
+  };
+  Run("evolved, flat", few(EvolvedRobots(false)), {}, duration, starts);
+  Run("evolved, 5 degrees", few(EvolvedRobots(true)), test::Slope(5), duration,
+      starts);
   fmt::print(
       "Speed, any way: rank correlations with ODE at 1 ms from the same start, "
       "mean and half\nspread over starts (its own line: with its next start); "

@@ -82,16 +82,21 @@ Row DrawContactRow(const Kind& kind, bool is_normal, std::mt19937& random) {
   return row;
 }
 
-Row DrawMotorRow(const Kind& kind, std::mt19937& random) {
+Row DrawServo(const Kind& kind, std::mt19937& random) {
   Row row;
   row.stiffness = Draw(random, 0.1, 1) * kind.stiffest;
-  if (random() % 2 == 0) {  // a servo
-    row.high = Draw(random, 0, 0.5);
-    row.low = -row.high;
-  } else {  // a stop
-    row.offset = Draw(random, -1, 1);
-    row.high = kInfinite;
-  }
+  row.high = Draw(random, 0, 0.5);
+  row.low = -row.high;
+  return row;
+}
+
+/// Half of the joints are at one; the others' rows do nothing.
+Row DrawStop(const Kind& kind, std::mt19937& random) {
+  Row row;
+  if (random() % 2 == 0) return row;
+  row.stiffness = Draw(random, 0.1, 1) * kind.stiffest;
+  row.offset = Draw(random, -1, 1);
+  row.high = kInfinite;
   return row;
 }
 
@@ -120,7 +125,7 @@ Whole DrawProblem(const Kind& kind, std::mt19937& random) {
   whole.aim = VectorXd::NullaryExpr(
       size, [&](Index i) { return most[i] * Draw(random, -1, 1); });
   const Index of_contacts = 3 * kind.contacts;
-  whole.directions = MatrixXd::Zero(of_contacts + kind.joints, size);
+  whole.directions = MatrixXd::Zero(of_contacts + 2 * kind.joints, size);
   for (int i = 0; i < kind.contacts; ++i) {
     const Grip grip = DrawGrip(kind.joints, random);
     whole.grips.push_back(grip);
@@ -137,8 +142,10 @@ Whole DrawProblem(const Kind& kind, std::mt19937& random) {
     }
   }
   for (int joint = 0; joint < kind.joints; ++joint) {
-    whole.rows.push_back(DrawMotorRow(kind, random));
-    whole.directions(of_contacts + joint, 6 + joint) = 1;
+    whole.rows.push_back(DrawServo(kind, random));
+    whole.rows.push_back(DrawStop(kind, random));
+    whole.directions(of_contacts + 2 * joint, 6 + joint) = 1;
+    whole.directions(of_contacts + 2 * joint + 1, 6 + joint) = 1;
   }
   return whole;
 }
@@ -153,8 +160,8 @@ void Hand(const Whole& whole, Problem& problem) {
   const std::size_t of_contacts = 3 * whole.grips.size();
   for (std::size_t row = 0; row < of_contacts; ++row)
     problem.RowAt(row) = whole.rows[row];
-  for (std::size_t row = of_contacts; row < whole.rows.size(); ++row) {
-    const int unknown = problem.AddJoint(whole.rows[row]);
+  for (std::size_t row = of_contacts; row < whole.rows.size(); row += 2) {
+    const int unknown = problem.AddJoint(whole.rows[row], whole.rows[row + 1]);
     for (int c = 0; c <= unknown; ++c)
       problem.Mass(unknown, c) = whole.mass(unknown, c);
     problem.Aim(unknown) = whole.aim[unknown];
@@ -307,7 +314,7 @@ TEST_CASE("A step's problem ends for every input", "[problem]") {
   };
   const Spoilt rows[] = {
       {"mass", [](Whole& w) { w.mass(2, 1) = kNone; }},
-      {"infinite mass", [](Whole& w) { w.mass(2, 2) = kInfinite; }},
+      // One infinite mass is none of these: what has it stays at rest.
       {"mass of a joint", [](Whole& w) { w.mass(7, 7) = kNone; }},
       {"no mass at all", [](Whole& w) { w.mass.setConstant(kNone); }},
       {"momentum", [](Whole& w) { w.aim[5] = kNone; }},

@@ -67,6 +67,7 @@ TEST_CASE("what is wrong around an experiment is said", "[load_yaml]") {
 
 TEST_CASE("the example experiments and scenarios are correct", "[load_yaml]") {
   CHECK(Load(test::InRepository("examples/small.yaml")).experiment);
+  CHECK(Load(test::InRepository("examples/walkers.yaml")).experiment);
   std::istringstream in;
   std::ostringstream out;
   std::ostringstream err;
