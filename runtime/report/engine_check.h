@@ -30,10 +30,10 @@ struct SeasonCheck {
   std::string season;
   EngineKind stored_engine = EngineKind::kOde;
   std::vector<CheckedLife> lives;  ///< in the order of the robots
-  int both = 0;                    ///< completed by either engine
+  int both = 0;                    ///< completed by both engines
   int only_stored = 0;
   int only_now = 0;
-  /// Of those by either:
+  /// Of those by both:
   std::optional<double> rank_correlation;
   std::optional<double> median_difference;  ///< m/s, without its sign
   std::optional<double> largest_difference;

@@ -325,6 +325,19 @@ bool Problem::Settle(Phase phase) {
   return residual_ < kSettled;
 }
 
+/// Whether `next_` is, with all rows on the pieces that were taken. Near the
+/// solution slopes are too small to tell.
+bool Problem::IsSolution(Phase phase) {
+  double most = 0;
+  ForRows(phase, [&](const Row& row) {
+    const double force = (row.target - row.speed - row.change) * row.stiffness;
+    const double taken = row.hold == Hold::kFree ? force : Bound(row);
+    most =
+        std::max(most, std::abs(taken - std::clamp(force, row.low, row.high)));
+  });
+  return most < kSettled;
+}
+
 /// How far to go from the unknowns to `next_`: to where the function's slope
 /// along the way is nearly nothing.
 double Problem::StepLength(Phase phase) {
@@ -343,6 +356,7 @@ double Problem::StepLength(Phase phase) {
   }
   for (Row& row : rows_) row.change = row.offset - row.speed;
   AddSpeeds(phase, next_.data(), &Row::change);
+  if (IsSolution(phase)) return 1;
   const auto slope = [&](double way) {
     double sum = at_start + way * per_way;
     ForRows(phase, [&](const Row& row) {

@@ -129,6 +129,7 @@ class Problem {
   void FillBase(Phase phase);
   void FillJoint(Phase phase, int unknown);
   bool Settle(Phase phase);
+  bool IsSolution(Phase phase);
   double StepLength(Phase phase);
   /// Adds what the unknowns do to each row to what Row::*to has.
   void AddSpeeds(Phase phase, const double* unknowns, double Row::*to);

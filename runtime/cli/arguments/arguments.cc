@@ -104,8 +104,8 @@ std::string ExplainChoice(const CLI::App& app, const std::string& message) {
     std::istringstream words(type);
     std::vector<std::string> known;
     for (std::string one; std::getline(words, one, '|');) known.push_back(one);
-    return name + ": expected " + type + ", found '" + found + "'" +
-           DidYouMean(found, known);
+    return fmt::format("{}: expected {}, found '{}'{}", name, type, found,
+                       DidYouMean(found, known));
   }
   return message;
 }

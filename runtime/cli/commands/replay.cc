@@ -75,6 +75,7 @@ Expected<std::vector<Stored>, Failure> Load(RunStore& store,
 std::vector<Replayed> CompareAll(const std::vector<Stored>& batch,
                                  bool is_same_arithmetic, Relive& relive) {
   std::vector<Individual> robots;
+  robots.reserve(batch.size());
   for (const Stored& stored : batch) robots.push_back(stored.individual);
   const std::vector<EvaluatedLife> lives = relive.Live(std::move(robots));
   std::vector<Replayed> replayed;

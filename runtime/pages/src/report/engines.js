@@ -9,7 +9,7 @@ const size = 300;
 const left = 46;
 const centimetres = 100; // a metre
 
-// Every robot that completed the season by either engine.
+// Every robot that completed the season by both engines.
 const dotsOf = (runs, name) =>
   runs.flatMap((run) =>
     run.engine_check.seasons
@@ -97,7 +97,7 @@ export function enginesSection(data, styles) {
     "section",
     { id: "engines" },
     element("h2", {}, "The other engine"),
-    element("p", { class: "note" }, "The best robots of each run's last generation, lived again by the engine that the run did not have. On the dashed line both give the same Speed. The rank correlation is Spearman's, of the robots that completed the season by either."),
+    element("p", { class: "note" }, "The best robots of each run's last generation, lived again by the engine that the run did not have. On the dashed line both give the same Speed. The rank correlation is Spearman's, of the robots that completed the season by both."),
     element("div", { class: "charts" }, seasons.map((name) => seasonFigure(data, styles, runs, name))),
     table(columns, rows.map(text), { label: "robots by both engines" }),
     csvButton("the engines", "engines", rows),
