@@ -244,7 +244,7 @@ void Problem::FillBase(Phase phase) {
       matrix_[Index(3 + r, c)] =
           mass_[Index(3 + r, c)] + step_ * sums.mixed(r, c);
     next_[static_cast<std::size_t>(r)] = Aim(r) + step_ * sums.moment[r];
-    next_[static_cast<std::size_t>(3 + r)] = Aim(3 + r) + step_ * sums.pull[r];
+    next_[3 + static_cast<std::size_t>(r)] = Aim(3 + r) + step_ * sums.pull[r];
   }
 }
 

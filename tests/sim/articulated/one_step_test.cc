@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -141,11 +142,11 @@ std::vector<Compared> CompareMeeting(int robots) {
 double Quantile(const std::vector<Compared>& all, double Compared::*value,
                 double rank) {
   std::vector<double> sorted;
+  sorted.reserve(all.size());
   for (const Compared& one : all) sorted.push_back(one.*value);
   std::sort(sorted.begin(), sorted.end());
-  const auto place = static_cast<std::size_t>(
-      rank * static_cast<double>(sorted.size() - 1) + 0.5);
-  return sorted.at(place);
+  const double place = rank * static_cast<double>(sorted.size() - 1);
+  return sorted.at(static_cast<std::size_t>(std::lround(place)));
 }
 
 template <typename Is>

@@ -37,8 +37,8 @@ struct Whole {
 
 struct Kind {
   const char* why;
-  int joints = 0;
-  int contacts = 0;
+  Index joints = 0;
+  Index contacts = 0;
   double stiffest = 1e3;  ///< N per m/s
   double friction = 1;    ///< N, limits at most
   bool is_slipless = false;
@@ -52,7 +52,7 @@ Vector3d DrawVector(std::mt19937& random) {
   return {Draw(random, -1, 1), Draw(random, -1, 1), Draw(random, -1, 1)};
 }
 
-Grip DrawGrip(int joints, std::mt19937& random) {
+Grip DrawGrip(Index joints, std::mt19937& random) {
   Grip grip;
   grip.kind = static_cast<Grip::Kind>(random() % (joints > 0 ? 3 : 2));
   grip.point = 0.2 * DrawVector(random);
@@ -126,7 +126,7 @@ Whole DrawProblem(const Kind& kind, std::mt19937& random) {
       size, [&](Index i) { return most[i] * Draw(random, -1, 1); });
   const Index of_contacts = 3 * kind.contacts;
   whole.directions = MatrixXd::Zero(of_contacts + 2 * kind.joints, size);
-  for (int i = 0; i < kind.contacts; ++i) {
+  for (Index i = 0; i < kind.contacts; ++i) {
     const Grip grip = DrawGrip(kind.joints, random);
     whole.grips.push_back(grip);
     for (std::size_t k = 0; k < 3; ++k) {
@@ -141,7 +141,7 @@ Whole DrawProblem(const Kind& kind, std::mt19937& random) {
           whole.directions(row, joint) = Draw(random, -0.1, 0.1);
     }
   }
-  for (int joint = 0; joint < kind.joints; ++joint) {
+  for (Index joint = 0; joint < kind.joints; ++joint) {
     whole.rows.push_back(DrawServo(kind, random));
     whole.rows.push_back(DrawStop(kind, random));
     whole.directions(of_contacts + 2 * joint, 6 + joint) = 1;
@@ -231,7 +231,7 @@ VectorXd MotionBySweeps(const Whole& whole, Phase phase) {
   return motion;
 }
 
-const Kind kKinds[] = {
+constexpr Kind kKinds[] = {
     {"free flight"},
     {"a servo in free flight", 1},
     {"one contact", 0, 1},

@@ -23,9 +23,11 @@ class Shown {
   /// rad: the most that a joint has turned since the last look.
   double Look(const test::Driven& robot) {
     std::vector<Eigen::Matrix3d> axes;
+    axes.reserve(state.links.size());
     for (int link = 0; link < robot.links(); ++link)
       axes.push_back(ground_.transpose() * robot.engine.PoseOf(link).axes);
     std::vector<double> before;
+    before.reserve(state.links.size());
     for (const LinkState& link : state.links) before.push_back(link.angle);
     Fit(model_, axes, state);
     Place(model_, state);
