@@ -131,7 +131,7 @@ TEST_CASE("No pair of links that meets is left out", "[self_contact]") {
 
 TEST_CASE("No pair of links that meets is left out of long lives",
           "[self_contact][slow]") {
-  CheckLives(30, 4000);
+  CheckLives(24, 3000);
 }
 
 }  // namespace
