@@ -207,6 +207,7 @@ std::pair<double, double> Wrong(const Whole& whole, Phase phase,
 /// The motion by sweeps over the forces, each made to fit its law while all
 /// others wait (Gauss and Seidel on the Delassus matrix).
 VectorXd MotionBySweeps(const Whole& whole, Phase phase) {
+  if (whole.rows.empty()) return whole.mass.ldlt().solve(whole.aim);
   const MatrixXd yielding =
       kStep * whole.mass.ldlt().solve(whole.directions.transpose());
   VectorXd motion = whole.mass.ldlt().solve(whole.aim);
