@@ -38,7 +38,7 @@ TEST_CASE("Articulated lives end in the states on file", "[short_lives]") {
 }
 
 TEST_CASE("Articulated lives depend on nothing but themselves",
-          "[short_lives]") {
+          "[short_lives][slow]") {
   const auto lives = test::ShortLives();
   const LifeHashes once = HashesOfLives(lives);
   SECTION("each has its own end") {
