@@ -132,6 +132,7 @@ OdeEngine::OdeEngine(const Scene& scene)
 }
 
 OdeEngine::~OdeEngine() {
+  if (obstacle != nullptr) dGeomDestroy(obstacle);  // on no body
   // ODE aborts on taking down what an interrupted step left behind.
   if (is_lost) {
     Keep(world, group);
@@ -139,7 +140,6 @@ OdeEngine::~OdeEngine() {
   }
   for (const auto& of_link : geoms)
     for (const dGeomID geom : of_link) dGeomDestroy(geom);
-  if (obstacle != nullptr) dGeomDestroy(obstacle);
   dJointGroupDestroy(group);
   dWorldDestroy(world);
   dThreadingFreeImplementation(threading);
