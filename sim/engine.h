@@ -64,7 +64,7 @@ class Engine {
   virtual double JointAngle(int joint) const = 0;
   virtual LinkPose PoseOf(int link) const = 0;
   virtual LinkMotion MotionOf(int link) const = 0;
-  /// Of all that the next step depends on, bit for bit.
+  /// Of where all links are and how they move, bit for bit.
   virtual std::uint64_t Hash() const = 0;
 
   Failure failure;

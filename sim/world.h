@@ -65,7 +65,7 @@ class World {
   /// had. ODE ("LCP internal error"): 0 to 3 in a life of 50 s, with joint
   /// errors of a few millimetres at most.
   int solver_warnings() const;
-  /// Of all that the next step depends on, bit for bit.
+  /// Of where all links are and how they move, bit for bit.
   std::uint64_t Hash() const;
 
  private:

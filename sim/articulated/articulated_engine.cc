@@ -1,11 +1,13 @@
 // A step:
-//   contacts       what touches what                    (collider)
-//   momenta        the baseline, what is missing of it  (momenta)
-//   problem        the base, joints that servos do not hold, rows (motors,
-//   contact_rows) pressing       solved without friction: how hard contacts
-//   press rubbing        solved with friction of at most mu times that
-//   integration    speeds, poses, damping               (integration)
-//   check          is this still a robot                (sim/state_check)
+// - contacts: what touches what (collider);
+// - momenta: the baseline, and what is missing of it (momenta);
+// - problem: the base, joints that servos do not hold, rows (motors,
+//   contact_rows);
+// - pressing: solved without friction, how hard contacts press;
+// - rubbing: solved with friction of at most mu times that;
+// - integration: speeds, poses, damping (integration);
+// - check: is this still a robot (sim/state_check).
+//
 // Two phases because ODE has them: its solver for dContactApprox1 fixes the
 // limits of friction by the normal forces without any. After each phase servos
 // that would need more than their torque become unknowns, and it is solved

@@ -17,9 +17,6 @@ class Motors {
  public:
   Motors(const Model& model, const SimulationOptions& options);
 
-  double target(int link) const {
-    return targets_[static_cast<std::size_t>(link)];
-  }
   const std::vector<double>& targets() const { return targets_; }  ///< rad/s
   void SetTarget(int link, double speed) {
     targets_[static_cast<std::size_t>(link)] = speed;
@@ -54,7 +51,7 @@ class Motors {
   int free() const { return static_cast<int>(free_.size()); }
 
  private:
-  /// A joint whose speed is unknown, and the row of its servo or stop.
+  /// A joint whose speed is unknown, and how its servo was held.
   struct Free {
     int link = 0;
     int unknown = 0;
