@@ -17,8 +17,8 @@ void SetSpeeds(const Model& model, const std::vector<LinkMomenta>& momenta,
                State& state);
 
 /// Moves everything by a step at these speeds, joints at `targets` and what
-/// `excess` adds (rad/s by link; null: nothing). Gives how far any joint turned,
-/// rad.
+/// `excess` adds (rad/s by link; null: nothing). Gives how far any joint
+/// turned, rad.
 double Move(const Model& model, const std::vector<double>& targets,
             const std::vector<double>* excess, double step, State& state);
 
