@@ -44,6 +44,8 @@ struct StudyReport {
   /// experiment which has begun has completed; -1 if there is none.
   int generation = -1;
   bool is_single = false;    ///< one run: curves are of its population
+  /// Some runs are of a digest: there are numbers of some generations only.
+  bool is_thinned = false;
   bool is_verified = false;  ///< every row was compared with its checksum
 };
 

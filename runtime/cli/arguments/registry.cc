@@ -32,10 +32,10 @@ const Registry& Commands() {
                  LintCommand, MergeCommand, LspCommand, RegulateCommand,
                  SimulateCommand, EvaluateCommand, EvolveCommand, ShowCommand,
                  ReplayCommand, StudyListCommand, StudyRunCommand,
-                 StudyStatusCommand, ViewCommand, ReportCommand, WhyCommand,
-                 TestCommand, RandomCommand, ImportCommand, MutateCommand,
-                 CrossCommand, TrimCommand, StatsCommand, HashCommand,
-                 CompletionCommand, ManCommand>();
+                 StudyStatusCommand, StudyDigestCommand, ViewCommand,
+                 ReportCommand, WhyCommand, TestCommand, RandomCommand,
+                 ImportCommand, MutateCommand, CrossCommand, TrimCommand,
+                 StatsCommand, HashCommand, CompletionCommand, ManCommand>();
   return all;
 }
 

@@ -25,6 +25,7 @@ function partFigure(data, styles, part) {
     title: part.title,
     yLabel: "% of robots",
     columns: { part: part.name },
+    isThinned: data.thinned,
     domain: [0, 100],
     isShare: true,
     generations: [0, Math.max(1, ...lines.map(({ median }) => median.length - 1))],
