@@ -16,7 +16,7 @@
 #include "grammar/failure.h"
 #include "grammar/result.h"
 #include "runtime/report/read_run.h"
-#include "runtime/report/report_measures.h"
+#include "runtime/study/report_measures.h"
 #include "runtime/study/study.h"
 
 namespace plsc {

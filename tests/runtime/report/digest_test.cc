@@ -32,14 +32,14 @@ Digest DigestOfAll(const std::vector<ReportMeasure>& measures, int every) {
 }
 
 const Digest& AllRuns() {
-  static const Digest digest = DigestOfAll(PaperMeasures(), 1);
+  static const Digest digest = DigestOfAll(AllMeasures(), 1);
   return digest;
 }
 
 StudyReport ReportOf(const std::string& path) {
   const auto inputs = FindRuns({path});
   REQUIRE(inputs);
-  return BuildReport(*inputs, PaperMeasures(), {});
+  return BuildReport(*inputs, AllMeasures(), {});
 }
 
 std::string Written(const std::string& text) {
