@@ -1,10 +1,8 @@
 #include "runtime/report/report.h"
 #include "grammar/shown_line.h"
 
-#include <fmt/chrono.h>
 #include <fmt/format.h>
 
-#include <ctime>
 #include <map>
 #include <ostream>
 
@@ -15,6 +13,7 @@
 #include "runtime/cli/running/lives_line.h"
 #include "runtime/cli/running/relive.h"
 #include "runtime/cli/running/relive_run.h"
+#include "runtime/cli/running/utc_now.h"
 #include "runtime/pages/page.h"
 #include "runtime/report/report_json.h"
 #include "runtime/text/version.h"
@@ -46,9 +45,7 @@ class ReadingLine {
 };
 
 ReportMade MadeNow() {
-  return {
-      fmt::format("plsc {}", kVersion),
-      fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)))};
+  return {fmt::format("plsc {}", kVersion), UtcNow()};
 }
 
 /// "4 runs: 3 done, 1 unfinished"
