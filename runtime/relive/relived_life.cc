@@ -6,8 +6,13 @@ namespace plsc {
 
 RelivedSeason RelivedOf(const LifeOf& of, int n, double lift,
                         const SeasonResult& result) {
-  RelivedSeason relived{of, n, lift, result.outcome, result.reason,
-                        result.behaviour};
+  RelivedSeason relived;
+  relived.of = of;
+  relived.n = n;
+  relived.lift = lift;
+  relived.outcome = result.outcome;
+  relived.reason = result.reason;
+  relived.behaviour = result.behaviour;
   relived.fitness = result.fitness;
   relived.state_hash = result.state_hash;
   relived.steps = result.steps;

@@ -29,7 +29,7 @@ double MeanOf(const std::vector<double>& values) {
   return values.empty() ? kUnknown : sum / static_cast<double>(values.size());
 }
 
-int Season(std::size_t season) {
+int IndexOfSeason(std::size_t season) {
   return static_cast<int>(season);
 }
 
@@ -48,10 +48,10 @@ int CommonSwaps(const RelivedMembers& members, std::size_t seasons,
   bool has_any = false;
   for (const int id : members.survivors)
     for (std::size_t season = 0; season < seasons; ++season)
-      for (const int other : lives.SwapsOf(id, Season(season))) {
+      for (const int other : lives.SwapsOf(id, IndexOfSeason(season))) {
         has_any = true;
         common = std::min(
-            common, lives.CountOf({id, false, Season(season), other}));
+            common, lives.CountOf({id, false, IndexOfSeason(season), other}));
       }
   return has_any ? common : 0;
 }
@@ -154,7 +154,7 @@ RelivedGeneration SummariseRelived(const RelivedMembers& members,
   for (const int id : members.survivors) generation.robots.push_back({id, {}});
   for (std::size_t measure = 0; measure < RelivedMeasures().size(); ++measure)
     for (std::size_t i = 0; i < seasons; ++i) {
-      const int season = Season(i);
+      const int season = IndexOfSeason(i);
       RelivedMeasure summary;
       std::vector<double> medians;
       for (RelivedRobotValues& robot : generation.robots) {

@@ -18,7 +18,7 @@ namespace plsc {
 namespace {
 
 using Json = nlohmann::ordered_json;
-using Rows = std::vector<std::vector<std::string>>;
+using TableRows = std::vector<std::vector<std::string>>;
 
 constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
 constexpr std::string_view kSpeed = "displacement_velocity_hill";
@@ -72,7 +72,7 @@ std::string LostText(double before, double after) {
 
 void AddRow(const std::string& season, const std::string& whose,
             double recorded, double relived, const Quartiles& quartiles,
-            Rows& rows) {
+            TableRows& rows) {
   rows.push_back({season, whose, SpeedText(recorded), SpeedText(relived),
                   RangeText(quartiles), LostText(recorded, relived)});
 }
@@ -87,7 +87,7 @@ std::string LivesText(int count) {
 
 std::string RecordText(const RelivedRun& run,
                        const RelivedGeneration& generation) {
-  Rows rows = {{"season", "Speed of", "recorded", "relived", "quartiles",
+  TableRows rows = {{"season", "Speed of", "recorded", "relived", "quartiles",
                 "lost, cm/s"}};
   for (std::size_t i = 0; i < run.seasons.size(); ++i) {
     const std::size_t place = SpeedIndex() * generation.seasons + i;
@@ -109,7 +109,7 @@ std::string RecordText(const RelivedRun& run,
 std::string SwapText(const RelivedRun& run,
                      const RelivedGeneration& generation) {
   if (generation.swaps == 0) return "";
-  Rows rows = {{"season", "plastic", "own", "swapped", "quartiles of loss",
+  TableRows rows = {{"season", "plastic", "own", "swapped", "quartiles of loss",
                 "lost, cm/s"}};
   for (std::size_t i = 0; i < run.seasons.size(); ++i) {
     const RelivedMeasure& speed = generation.of(SpeedIndex(), i);
@@ -122,22 +122,22 @@ std::string SwapText(const RelivedRun& run,
          AlignedRows(rows);
 }
 
-Json Number(double value) {
+Json RawNumber(double value) {
   return std::isfinite(value) ? Json(value) : Json(nullptr);
 }
 
-void AddQuartiles(const Quartiles& quartiles, Json& json) {
-  json["low"] = Number(quartiles.low);
-  json["median"] = Number(quartiles.median);
-  json["high"] = Number(quartiles.high);
+void AddRawQuartiles(const Quartiles& quartiles, Json& json) {
+  json["low"] = RawNumber(quartiles.low);
+  json["median"] = RawNumber(quartiles.median);
+  json["high"] = RawNumber(quartiles.high);
 }
 
 Json ValueJson(double recorded, const RelivedValue& value) {
   const double lost = recorded - value.quartiles.median;
-  Json json{{"recorded", Number(recorded)}, {"lives", value.lives}};
-  AddQuartiles(value.quartiles, json);
-  json["lost"] = Number(lost);
-  json["lost_share"] = Number(ShareOf(lost, recorded));
+  Json json{{"recorded", RawNumber(recorded)}, {"lives", value.lives}};
+  AddRawQuartiles(value.quartiles, json);
+  json["lost"] = RawNumber(lost);
+  json["lost_share"] = RawNumber(ShareOf(lost, recorded));
   return json;
 }
 
@@ -148,11 +148,11 @@ Json MeasureJson(const RelivedRun& run, const RelivedGeneration& generation,
   const double recorded = RecordedMean(run, generation, place);
   Json json{{"measure", RelivedMeasures()[measure]},
             {"season", run.seasons[season]}};
-  json["mean"] = {{"recorded", Number(recorded)},
-                  {"relived", Number(one.mean)},
-                  {"lost", Number(recorded - one.mean)},
-                  {"lost_share", Number(ShareOf(recorded - one.mean, recorded))}};
-  AddQuartiles(one.medians, json["mean"]);
+  json["mean"] = {{"recorded", RawNumber(recorded)},
+                  {"relived", RawNumber(one.mean)},
+                  {"lost", RawNumber(recorded - one.mean)},
+                  {"lost_share", RawNumber(ShareOf(recorded - one.mean, recorded))}};
+  AddRawQuartiles(one.medians, json["mean"]);
   const double best = RecordedOf(run, generation.best, place);
   json["best"] = ValueJson(best, one.best);
   json["best_by_other_engine"] =
@@ -161,10 +161,10 @@ Json MeasureJson(const RelivedRun& run, const RelivedGeneration& generation,
   json["swap"] = nullptr;
   if (one.swapped > 0) {
     json["swap"] = {{"robots", one.swapped},
-                    {"own", Number(one.own)},
-                    {"swapped", Number(one.other)},
-                    {"lost", Number(one.own - one.other)}};
-    AddQuartiles(one.losses, json["swap"]);
+                    {"own", RawNumber(one.own)},
+                    {"swapped", RawNumber(one.other)},
+                    {"lost", RawNumber(one.own - one.other)}};
+    AddRawQuartiles(one.losses, json["swap"]);
   }
   return json;
 }
