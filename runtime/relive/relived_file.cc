@@ -282,8 +282,7 @@ MaybeFailure RelivedFile::Connect(const std::string& path, bool is_writing,
           path, is_writing ? Database::Mode::kWrite : Database::Mode::kRead))
     return failure;
   if (MaybeFailure failure = parts.CheckFormat()) return failure;
-  if (MaybeFailure failure =
-          CheckNothingAdded(parts.database, RelivedTables()))
+  if (MaybeFailure failure = CheckNothingAdded(parts.database, RelivedTables()))
     return failure;
   if (MaybeFailure failure = parts.CheckRun(run)) return failure;
   if (is_writing)
@@ -307,9 +306,7 @@ MaybeFailure RelivedFile::OpenForWriting(const std::string& path,
   } else {
     failure = MakeDatabase(
         path, [&](Database& database) { AddRelivedTables(database, run); },
-        [&](int descriptor) {
-          return parts_->lock.TakeNew(path, descriptor);
-        });
+        [&](int descriptor) { return parts_->lock.TakeNew(path, descriptor); });
     // Another process may have made it meanwhile.
     if (failure && fs::exists(path, error)) failure = parts_->lock.Take(path);
   }
@@ -356,10 +353,10 @@ MaybeFailure RelivedFile::CheckRobots(const RobotSums& robots) {
     const std::int64_t checksum = row.TakeInteger();
     const auto known = robots.find(id);
     if (known != robots.end() && known->second != checksum)
-      database.Fail(fmt::format("'{}' is of another run: robot {} is another "
-                                "there; {}",
-                                parts_->path, id,
-                                HowToBeginAnew(parts_->path)));
+      database.Fail(
+          fmt::format("'{}' is of another run: robot {} is another "
+                      "there; {}",
+                      parts_->path, id, HowToBeginAnew(parts_->path)));
   }
   return database.TakeFailure();
 }
@@ -367,7 +364,8 @@ MaybeFailure RelivedFile::CheckRobots(const RobotSums& robots) {
 MaybeFailure RelivedFile::BeginRobots(const RobotSums& robots) {
   if (MaybeFailure failure = CheckRobots(robots)) return failure;
   Transaction all(parts_->database);
-  Statement insert(parts_->database, "INSERT OR IGNORE INTO robot VALUES(?, ?)");
+  Statement insert(parts_->database,
+                   "INSERT OR IGNORE INTO robot VALUES(?, ?)");
   for (const auto& [id, checksum] : robots) insert.With(id, checksum).Run();
   return all.Commit();
 }
@@ -380,9 +378,9 @@ Expected<std::vector<RelivedSeason>, Failure> RelivedFile::Lives() {
     std::optional<RelivedSeason> life =
         TakeLife(row, static_cast<int>(parts_->seasons));
     if (!life)
-      database.Fail(fmt::format(
-          "'{}' is damaged: a life is not what was written; {}", parts_->path,
-          HowToBeginAnew(parts_->path)));
+      database.Fail(
+          fmt::format("'{}' is damaged: a life is not what was written; {}",
+                      parts_->path, HowToBeginAnew(parts_->path)));
     else
       lives.push_back(std::move(*life));
   }

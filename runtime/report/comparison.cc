@@ -126,8 +126,7 @@ std::vector<Curve> CurvesOf(const StudyReport& report, Counted of) {
   return curves;
 }
 
-std::vector<Finals> FinalsOf(const StudyReport& report, Counted of,
-                             Told told) {
+std::vector<Finals> FinalsOf(const StudyReport& report, Counted of, Told told) {
   std::vector<Finals> all;
   if (report.generation < 0) return all;
   for (const Cell& cell : CellsOf(report)) {

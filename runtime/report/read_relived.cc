@@ -11,8 +11,7 @@ namespace plsc {
 namespace {
 
 /// Who are the generation's robots, and that the file's are the same.
-Expected<RelivedMembers, Failure> MembersInBoth(RunStore& store,
-                                                int generation,
+Expected<RelivedMembers, Failure> MembersInBoth(RunStore& store, int generation,
                                                 RelivedFile& file) {
   Expected<std::vector<RelivedMembers>, Failure> members =
       MembersOf(store, {generation});

@@ -101,9 +101,11 @@ RelivedLives::RelivedLives(std::vector<RelivedSeason> lives) {
 }
 
 const RelivedLives::Group* RelivedLives::Find(const LifeOf& of) const {
-  const auto found = std::lower_bound(
-      groups_.begin(), groups_.end(), of,
-      [](const Group& group, const LifeOf& wanted) { return group.of < wanted; });
+  const auto found =
+      std::lower_bound(groups_.begin(), groups_.end(), of,
+                       [](const Group& group, const LifeOf& wanted) {
+                         return group.of < wanted;
+                       });
   return found != groups_.end() && found->of == of ? &*found : nullptr;
 }
 

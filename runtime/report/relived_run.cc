@@ -87,8 +87,8 @@ std::string LivesText(int count) {
 
 std::string RecordText(const RelivedRun& run,
                        const RelivedGeneration& generation) {
-  TableRows rows = {{"season", "Speed of", "recorded", "relived", "quartiles",
-                "lost, cm/s"}};
+  TableRows rows = {
+      {"season", "Speed of", "recorded", "relived", "quartiles", "lost, cm/s"}};
   for (std::size_t i = 0; i < run.seasons.size(); ++i) {
     const std::size_t place = SpeedIndex() * generation.seasons + i;
     const RelivedMeasure& speed = generation.of(SpeedIndex(), i);
@@ -110,7 +110,7 @@ std::string SwapText(const RelivedRun& run,
                      const RelivedGeneration& generation) {
   if (generation.swaps == 0) return "";
   TableRows rows = {{"season", "plastic", "own", "swapped", "quartiles of loss",
-                "lost, cm/s"}};
+                     "lost, cm/s"}};
   for (std::size_t i = 0; i < run.seasons.size(); ++i) {
     const RelivedMeasure& speed = generation.of(SpeedIndex(), i);
     rows.push_back({Escaped(run.seasons[i]), Plural(speed.swapped, "robot"),
@@ -148,16 +148,17 @@ Json MeasureJson(const RelivedRun& run, const RelivedGeneration& generation,
   const double recorded = RecordedMean(run, generation, place);
   Json json{{"measure", RelivedMeasures()[measure]},
             {"season", run.seasons[season]}};
-  json["mean"] = {{"recorded", RawNumber(recorded)},
-                  {"relived", RawNumber(one.mean)},
-                  {"lost", RawNumber(recorded - one.mean)},
-                  {"lost_share", RawNumber(ShareOf(recorded - one.mean, recorded))}};
+  json["mean"] = {
+      {"recorded", RawNumber(recorded)},
+      {"relived", RawNumber(one.mean)},
+      {"lost", RawNumber(recorded - one.mean)},
+      {"lost_share", RawNumber(ShareOf(recorded - one.mean, recorded))}};
   AddRawQuartiles(one.medians, json["mean"]);
   const double best = RecordedOf(run, generation.best, place);
   json["best"] = ValueJson(best, one.best);
-  json["best_by_other_engine"] =
-      generation.other_lives == 0 ? Json(nullptr)
-                                  : ValueJson(best, one.best_by_other);
+  json["best_by_other_engine"] = generation.other_lives == 0
+                                     ? Json(nullptr)
+                                     : ValueJson(best, one.best_by_other);
   json["swap"] = nullptr;
   if (one.swapped > 0) {
     json["swap"] = {{"robots", one.swapped},

@@ -47,8 +47,8 @@ Json BestJson(const ReportRun& run) {
 Json RelivedOfRunJson(const ReportRun& run) {
   const RelivedReading& relived = run.relived;
   Json json{{"state", NameIn(kRelivedStateNames, relived.state)},
-            {"problem", relived.problem.empty() ? Json(nullptr)
-                                                : Json(relived.problem)}};
+            {"problem",
+             relived.problem.empty() ? Json(nullptr) : Json(relived.problem)}};
   if (relived.state != RelivedState::kHere) return json;
   const RelivedGeneration& generation = relived.generation;
   json["generation"] = generation.generation;
@@ -105,13 +105,13 @@ Json RelivedSummaryJson(const StudyReport& report) {
     most = std::max(most, lives);
     ++here;
   }
-  return {{"runs", here},
-          {"of", readable},
-          {"least_lives", least},
-          {"most_lives", most},
-          {"command", report.relive_command.empty()
-                          ? Json(nullptr)
-                          : Json(report.relive_command)}};
+  return {
+      {"runs", here},
+      {"of", readable},
+      {"least_lives", least},
+      {"most_lives", most},
+      {"command", report.relive_command.empty() ? Json(nullptr)
+                                                : Json(report.relive_command)}};
 }
 
 }  // namespace plsc

@@ -2,9 +2,9 @@
 // ways to give ranks their signs are equally likely; how many of them come to
 // each sum is counted by adding one rank after the other. Ranks of ties are
 // halves, so sums are counted doubled. Shares and not counts are added up, so
-// that nothing overflows. Cost: n^3 additions, below a hundredth of a second for
-// 100 values.
-// Source: Wilcoxon 1945, "Individual comparisons by ranking methods".
+// that nothing overflows. Cost: n^3 additions, below a hundredth of a second
+// for 100 values. Source: Wilcoxon 1945, "Individual comparisons by ranking
+// methods".
 
 #include "runtime/report/signed_rank.h"
 
@@ -20,9 +20,8 @@ namespace {
 std::vector<std::size_t> DoubledRanks(const std::vector<double>& sizes) {
   std::vector<std::size_t> order(sizes.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return sizes[a] < sizes[b];
-  });
+  std::sort(order.begin(), order.end(),
+            [&](std::size_t a, std::size_t b) { return sizes[a] < sizes[b]; });
   std::vector<std::size_t> ranks(sizes.size());
   for (std::size_t begin = 0; begin < order.size();) {
     std::size_t end = begin;

@@ -1,8 +1,8 @@
 #pragma once
 
 // Wilcoxon's signed-rank test of whether values lie around 0: two-sided and
-// exact, whatever ties there are (R's wilcox.test(x) has the same p where no two
-// have the same size and none is 0; else it is an approximation there).
+// exact, whatever ties there are (R's wilcox.test(x) has the same p where no
+// two have the same size and none is 0; else it is an approximation there).
 
 #include <optional>
 #include <vector>

@@ -20,8 +20,8 @@ std::vector<RunSwap> SwapsOfRuns(const StudyReport& report,
       continue;
     const RelivedMeasure& one = relived.generation.of(measure, own_season);
     if (one.swapped > 0)
-      swaps.push_back({run, one.swapped, kCentimetres * one.own,
-                       kCentimetres * one.other});
+      swaps.push_back(
+          {run, one.swapped, kCentimetres * one.own, kCentimetres * one.other});
   }
   return swaps;
 }
@@ -45,8 +45,7 @@ std::vector<SwapLosses> SwapLossesOf(const StudyReport& report) {
             static_cast<std::size_t>(own - experiment.seasons.begin()));
         if (runs.empty()) continue;
         std::vector<double> losses;
-        for (const RunSwap& run : runs)
-          losses.push_back(run.own - run.swapped);
+        for (const RunSwap& run : runs) losses.push_back(run.own - run.swapped);
         const auto result = SignedRankTest(losses);
         all.push_back({id, season, i, std::move(runs),
                        BoxPlotOf(std::move(losses)), result});

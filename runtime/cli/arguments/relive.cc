@@ -20,8 +20,7 @@ void Add(Options& options, ReliveCommand& command) {
            "one), all, 'every N' (and the last), or numbers from 0 with commas "
            "between them")
       .ValueName("last|all|N,...");
-  options
-      .Add("--lives", command.lives, "lives of each robot (default 20)")
+  options.Add("--lives", command.lives, "lives of each robot (default 20)")
       .Range(1, 100000)
       .ValueName("N");
   options

@@ -1,6 +1,7 @@
 #pragma once
 
-// `plsc relive`: robots of runs live again, to see what their records are worth.
+// `plsc relive`: robots of runs live again, to see what their records are
+// worth.
 
 #include <optional>
 #include <string>

@@ -75,9 +75,8 @@ Exit Run(const ReliveCommand& command, Io& io) {
   ReliveRequest request;
   const auto generations = ParseGenerations(command.generations);
   if (!generations) {
-    io.err << fmt::format(
-        "plsc: --generations: {}\nsee 'plsc relive --help'\n",
-        Escaped(generations.error().text));
+    io.err << fmt::format("plsc: --generations: {}\nsee 'plsc relive --help'\n",
+                          Escaped(generations.error().text));
     return Exit::kBadUsage;
   }
   request.generations = *generations;
@@ -94,11 +93,11 @@ Exit Run(const ReliveCommand& command, Io& io) {
   nlohmann::ordered_json json{{"plsc_relived", kReliveFormat}};
   json["runs"] = nlohmann::ordered_json::array();
   for (std::size_t i = 0; i < runs.size(); ++i) {
-    const ReliveOutcome outcome = ReliveRun(
-        runs[i].path, request, command.jobs,
-        [&](std::int64_t done, std::int64_t total) {
-          line.Report({i, runs.size(), runs[i].label, done, total});
-        });
+    const ReliveOutcome outcome =
+        ReliveRun(runs[i].path, request, command.jobs,
+                  [&](std::int64_t done, std::int64_t total) {
+                    line.Report({i, runs.size(), runs[i].label, done, total});
+                  });
     line.Finish();
     Mention(runs[i], outcome, io);
     if (outcome.exit == Exit::kInterrupted ||

@@ -63,7 +63,8 @@ void LivesLine::Report(const LivesProgress& progress) {
   // The last column stays free: some terminals go to the next line there.
   const auto width = static_cast<std::size_t>(std::max(1, width_() - 1));
   if (text.size() > width) text.resize(width);
-  const std::size_t wiped = std::min(std::max(drawn_width_, text.size()), width);
+  const std::size_t wiped =
+      std::min(std::max(drawn_width_, text.size()), width);
   out_ << fmt::format("\r{:<{}}", text, wiped) << std::flush;
   drawn_width_ = text.size();
 }

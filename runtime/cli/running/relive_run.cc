@@ -1,9 +1,9 @@
 // A file that has all that is asked for is only read, so that it can be shown
 // wherever it lies. Otherwise orders go to workers in phases that differ in the
-// scenario: as it was, one season alone for those that are swapped, by the other
-// engine. A robot is swapped by what it is told: in a scenario of that season
-// alone it is born with the senses of another one, and so develops as it did
-// there.
+// scenario: as it was, one season alone for those that are swapped, by the
+// other engine. A robot is swapped by what it is told: in a scenario of that
+// season alone it is born with the senses of another one, and so develops as it
+// did there.
 
 #include "runtime/cli/running/relive_run.h"
 
@@ -116,8 +116,8 @@ class ReliveTask {
         known.emplace(order.of.id, std::move(*one));
       }
       Individual& robot = robots.emplace_back(known.at(order.of.id));
-      Disturbances starts = DisplacedStarts(store_.experiment().seed,
-                                            robot.id, order.n, seasons);
+      Disturbances starts =
+          DisplacedStarts(store_.experiment().seed, robot.id, order.n, seasons);
       if (order.of.is_swapped()) {
         const auto other = static_cast<std::size_t>(order.of.phenotype);
         robot.heritage.senses = SensesIn(robot.evaluation.seasons[other]);
@@ -140,8 +140,7 @@ class ReliveTask {
       bool has_died = false;
       for (std::size_t i = 0; i < seasons.size(); ++i) {
         LifeOf of = order.of;
-        if (!of.is_swapped())
-          of.season = of.phenotype = static_cast<int>(i);
+        if (!of.is_swapped()) of.season = of.phenotype = static_cast<int>(i);
         rows.push_back(RelivedOf(of, order.n, starts[i].lift, seasons[i]));
         has_died = has_died || seasons[i].outcome == Outcome::kWorkerDied;
       }
@@ -178,8 +177,8 @@ std::string NoteOf(const RunStore& store, ReliveRequest& request) {
     note += fmt::format(
         "{}'{}' was made by {}, and this is {}: not all that its records lose "
         "is luck",
-        note.empty() ? "" : "; ", store.path(),
-        VersionsText(store.versions()), VersionsText(own));
+        note.empty() ? "" : "; ", store.path(), VersionsText(store.versions()),
+        VersionsText(own));
   return note;
 }
 
@@ -188,8 +187,7 @@ Expected<std::vector<RelivedSeason>, Failure> LivesThere(
     const std::string& path, const ReliveSubjects& subjects,
     RelivedFile& file) {
   std::error_code error;
-  if (!std::filesystem::exists(
-          std::filesystem::symlink_status(path, error)))
+  if (!std::filesystem::exists(std::filesystem::symlink_status(path, error)))
     return std::vector<RelivedSeason>{};
   if (auto failure = file.OpenForReading(path, subjects.run)) return *failure;
   if (auto failure = file.CheckRobots(subjects.Sums())) return *failure;

@@ -23,9 +23,9 @@ struct ReliveOutcome {
   /// kBadInput: `failure` says why.
   Exit exit = Exit::kFine;
   MaybeFailure failure;
-  std::int64_t lived = 0;   ///< now
-  std::int64_t before = 0;  ///< seasons that were there
-  std::int64_t deaths = 0;  ///< lives that ended with their workers, now
+  std::int64_t lived = 0;    ///< now
+  std::int64_t before = 0;   ///< seasons that were there
+  std::int64_t deaths = 0;   ///< lives that ended with their workers, now
   std::int64_t missing = 0;  ///< lives, when it began
   /// What the user must know, of who cannot live by the other engine, or of
   /// other arithmetic; empty: nothing.

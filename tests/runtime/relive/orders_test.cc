@@ -93,8 +93,9 @@ TEST_CASE("what was lived is not missing, but for deaths of workers",
   CHECK(orders == expected);
 }
 
-TEST_CASE("robots are swapped no more often than they live, and not in one life",
-          "[relive]") {
+TEST_CASE(
+    "robots are swapped no more often than they live, and not in one life",
+    "[relive]") {
   ReliveRequest request;
   request.lives = 1;
   request.swaps = 5;

@@ -39,8 +39,7 @@ double PByEnumeration(const std::vector<double>& values) {
 
 TEST_CASE("V and p are R's", "[report]") {
   // wilcox.test(c(1.1, -0.4, 2.3, 0.7, 1.9, -0.2, 3.1, 0.9)): V = 33
-  const auto mixed =
-      SignedRankTest({1.1, -0.4, 2.3, 0.7, 1.9, -0.2, 3.1, 0.9});
+  const auto mixed = SignedRankTest({1.1, -0.4, 2.3, 0.7, 1.9, -0.2, 3.1, 0.9});
   REQUIRE(mixed);
   CHECK(mixed->v == 33);
   CHECK(mixed->p == Approx(0.0390625).epsilon(1e-14));
@@ -66,7 +65,8 @@ TEST_CASE("ties have the p of all ways to sign them", "[report]") {
     for (double& value : values)
       value = static_cast<double>(static_cast<int>(random() % 9) - 4);
     const auto result = SignedRankTest(values);
-    if (result) CHECK(result->p == Approx(PByEnumeration(values)).epsilon(1e-12));
+    if (result)
+      CHECK(result->p == Approx(PByEnumeration(values)).epsilon(1e-12));
   }
 }
 
