@@ -66,7 +66,9 @@ std::string LostText(double before, double after) {
   const double lost = before - after;
   const double share = ShareOf(lost, before);
   if (std::isnan(lost)) return "-";
-  if (std::isnan(share)) return SpeedText(lost);
+  // A share of next to nothing says nothing.
+  constexpr double kMostShare = 10;
+  if (!(std::abs(share) < kMostShare)) return SpeedText(lost);
   return fmt::format("{} ({:.0f} %)", SpeedText(lost), 100 * share);
 }
 

@@ -22,7 +22,7 @@ json JsonOf(const StudyReport& report) {
 
 TEST_CASE("The JSON of a report has every part of it", "[report_json]") {
   const json report = JsonOf(ReportedStudy::Get().report);
-  CHECK(report["plsc_report"] == 2);
+  CHECK(report["plsc_report"] == 3);
   CHECK(report["title"] == "reported");
   CHECK(report["made"]["by"] == "plsc 1");
   CHECK(report["generation"] == 4);
