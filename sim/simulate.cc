@@ -18,12 +18,14 @@
 #include <cstddef>
 #include <memory>
 #include <utility>
+#include <vector>
 
 #include "sim/assembly.h"
 #include "sim/controller.h"
 #include "sim/overlap.h"
 #include "sim/recorder.h"
 #include "sim/schedule.h"
+#include "sim/servo_errors.h"
 
 namespace plsc {
 namespace {
@@ -32,8 +34,9 @@ namespace {
 class Drive {
  public:
   Drive(const Phenotype& phenotype, const SimulationOptions& options,
-        double birth)
-      : controller_(phenotype, options.controller),
+        int joints, double birth)
+      : asked_(static_cast<std::size_t>(joints), 0),
+        controller_(phenotype, options.controller),
         schedule_(options.servo, options.physics.step),
         servo_(options.servo),
         birth_(birth) {}
@@ -44,15 +47,26 @@ class Drive {
     const std::optional<double> due = schedule_.Due(step);
     if (!due) return;
     const auto& outputs = controller_.Update(birth_ + *due, world.touched());
+    for (int joint = 0; joint < world.joints(); ++joint) {
+      const auto i = static_cast<std::size_t>(joint);
+      asked_[i] = ServoSpeed(outputs[i], world.JointAngle(joint), servo_);
+      world.SetJointSpeed(joint, asked_[i]);
+    }
+  }
+
+  /// After each step: how far the joints are from what was asked of them.
+  void Look(const World& world) {
     for (int joint = 0; joint < world.joints(); ++joint)
-      world.SetJointSpeed(joint,
-                          ServoSpeed(outputs[static_cast<std::size_t>(joint)],
-                                     world.JointAngle(joint), servo_));
+      errors_.Add(world.JointSpeed(joint) -
+                  asked_[static_cast<std::size_t>(joint)]);
   }
 
   Controller& controller() { return controller_; }
+  const ServoErrors& errors() const { return errors_; }
 
  private:
+  std::vector<double> asked_;  ///< rad/s, by joint; braked until the first
+  ServoErrors errors_;
   Controller controller_;
   RefreshSchedule schedule_;
   ServoOptions servo_;
@@ -150,7 +164,7 @@ Lived Live(const Phenotype& phenotype, const Terrain& terrain,
     return {Nothing(options, std::move(forbidden)), {}};
   const std::unique_ptr<World> world = Enter(assembly, terrain, options, onset);
   const double birth = onset.carried ? onset.carried->time : onset.time;
-  Drive drive(phenotype, options, birth);
+  Drive drive(phenotype, options, world->joints(), birth);
   if (onset.carried) drive.controller().Remember(onset.carried->memory);
   const auto samples = SampleSteps(options);
   Recorder recorder(*world, static_cast<Eigen::Index>(samples.size()),
@@ -168,6 +182,7 @@ Lived Live(const Phenotype& phenotype, const Terrain& terrain,
     for (; step < due; ++step) {
       drive.Act(step, *world);
       if (!world->Step()) return {recorder.Finish(*world, step + 1), {}};
+      drive.Look(*world);
       if (is_stopped(step + 1))
         return {StoppedAt(time(step + 1) - birth,
                           recorder.Finish(*world, step + 1)),
@@ -175,7 +190,10 @@ Lived Live(const Phenotype& phenotype, const Terrain& terrain,
     }
     recorder.Sample(*world, time(step));
   }
-  return {recorder.Finish(*world, step),
+  Trajectory trajectory = recorder.Finish(*world, step);
+  trajectory.servo_error_median = drive.errors().Median();
+  trajectory.servo_error_worst = drive.errors().worst();
+  return {std::move(trajectory),
           StateOf(*world, time(step), drive.controller())};
 }
 
