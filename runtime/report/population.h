@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "runtime/report/quantiles.h"
-#include "runtime/report/report_measures.h"
+#include "runtime/study/report_measures.h"
 #include "runtime/store/database.h"
 
 namespace plsc {

@@ -1,10 +1,8 @@
 #include "runtime/report/report.h"
 #include "grammar/shown_line.h"
 
-#include <fmt/chrono.h>
 #include <fmt/format.h>
 
-#include <ctime>
 #include <map>
 #include <ostream>
 
@@ -12,6 +10,7 @@
 #include "runtime/cli/files/open_run.h"
 #include "runtime/cli/files/output_path.h"
 #include "runtime/cli/running/relive.h"
+#include "runtime/cli/running/utc_now.h"
 #include "runtime/pages/page.h"
 #include "runtime/report/report_json.h"
 #include "runtime/text/version.h"
@@ -43,9 +42,7 @@ class ReadingLine {
 };
 
 ReportMade MadeNow() {
-  return {
-      fmt::format("plsc {}", kVersion),
-      fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)))};
+  return {fmt::format("plsc {}", kVersion), UtcNow()};
 }
 
 /// "4 runs: 3 done, 1 unfinished"

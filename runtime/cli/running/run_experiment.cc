@@ -10,13 +10,11 @@
 
 #include "runtime/cli/running/run_experiment.h"
 
-#include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <sys/resource.h>
 
 #include <algorithm>
 #include <chrono>
-#include <ctime>
 #include <filesystem>
 #include <ostream>
 #include <utility>
@@ -26,6 +24,7 @@
 #include "runtime/cli/running/interrupt.h"
 #include "runtime/cli/running/json_log.h"
 #include "runtime/cli/running/progress.h"
+#include "runtime/cli/running/utc_now.h"
 #include "runtime/evolve/worker_request.h"
 #include "runtime/store/lock.h"
 #include "runtime/store/run_store.h"
@@ -47,10 +46,6 @@ double CpuSeconds(int who) {
            1e-6 * static_cast<double>(t.tv_usec);
   };
   return seconds(usage.ru_utime) + seconds(usage.ru_stime);
-}
-
-std::string UtcNow() {
-  return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
 }
 
 bool IsNew(const RunRequest& request) {

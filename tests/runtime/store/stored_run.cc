@@ -16,8 +16,9 @@ namespace plsc::test {
 
 namespace {
 
-Simulated LookClosely(const Phenotype& robot, const Season& season) {
-  Simulated seen = Look(robot, season);
+Simulated LookClosely(const Phenotype& robot, const Season& season,
+                      const Disturbance& disturbance) {
+  Simulated seen = Look(robot, season, disturbance);
   seen.state_hash = ~NumberOf(robot);  // often above 2^63
   if (!seen.behaviour.is_valid) return seen;
   const double number = static_cast<double>(NumberOf(robot) >> 11);
