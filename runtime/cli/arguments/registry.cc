@@ -32,11 +32,11 @@ const Registry& Commands() {
                  FmtCommand, DevelopCommand, DiffCommand, DrawCommand,
                  LintCommand, MergeCommand, LspCommand, RegulateCommand,
                  SimulateCommand, EvaluateCommand, EvolveCommand, ShowCommand,
-                 ReplayCommand, ReliveCommand, StudyListCommand, StudyRunCommand,
-                 StudyStatusCommand, ViewCommand, ReportCommand, WhyCommand,
-                 TestCommand, RandomCommand, ImportCommand, MutateCommand,
-                 CrossCommand, TrimCommand, StatsCommand, HashCommand,
-                 CompletionCommand, ManCommand>();
+                 ReplayCommand, ReliveCommand, StudyListCommand,
+                 StudyRunCommand, StudyStatusCommand, ViewCommand,
+                 ReportCommand, WhyCommand, TestCommand, RandomCommand,
+                 ImportCommand, MutateCommand, CrossCommand, TrimCommand,
+                 StatsCommand, HashCommand, CompletionCommand, ManCommand>();
   return all;
 }
 

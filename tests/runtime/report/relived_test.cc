@@ -77,8 +77,7 @@ TEST_CASE("a generation that nobody of lived again has no values",
   CHECK(std::isnan(summary.of(kFitness, 0).mean));
 }
 
-TEST_CASE("lives that were not completed are left out, and told",
-          "[relived]") {
+TEST_CASE("lives that were not completed are left out, and told", "[relived]") {
   std::vector<RelivedSeason> lives;
   AddLives(1, {std::nullopt, 2, 4}, lives);
   AddLives(2, {std::nullopt, std::nullopt, std::nullopt}, lives);

@@ -68,7 +68,7 @@ TEST_CASE("lives are the same for any workers, and however they were asked for",
   const RelivedCopy one;
   const RelivedCopy many;
   const std::vector<std::string> all = {"--generations", "0,2", "--lives", "3",
-                                        "--swap", "2", "--quiet"};
+                                        "--swap",        "2",   "--quiet"};
   const auto relive = [&](const RelivedCopy& copy,
                           const std::vector<std::string>& options) {
     std::vector<std::string> arguments = {"relive", copy.run};
@@ -93,9 +93,8 @@ TEST_CASE("lives are the same for any workers, and however they were asked for",
 TEST_CASE("relive prints JSON with every measure, and the other engine",
           "[relive]") {
   const RelivedCopy copy;
-  const auto ran =
-      RunPlsc({"relive", copy.run, "--lives", "2", "--engine-check", "--format",
-               "json", "--quiet"});
+  const auto ran = RunPlsc({"relive", copy.run, "--lives", "2",
+                            "--engine-check", "--format", "json", "--quiet"});
   CHECK(ran.exit == 0);
   const Json json = Json::parse(ran.out);
   CHECK(json["plsc_relived"] == 1);
@@ -124,13 +123,12 @@ TEST_CASE("the file is of its run, and is not taken for one", "[relive]") {
   const RelivedCopy copy;
   RunPlsc({"relive", copy.run, "--lives", "1", "--quiet"});
   // A folder has one run, and so has what a shell makes of *.sqlite.
-  const auto report = RunPlsc(
-      {"report", copy.folder.path().string(), "--format", "json"});
+  const auto report =
+      RunPlsc({"report", copy.folder.path().string(), "--format", "json"});
   CHECK(report.err.empty());
   CHECK(Json::parse(report.out)["runs"].size() == 1);
   const std::string file = RelivedPathOf(copy.run);
-  const auto both =
-      RunPlsc({"report", file, copy.run, "--format", "json"});
+  const auto both = RunPlsc({"report", file, copy.run, "--format", "json"});
   CHECK(Json::parse(both.out)["runs"].size() == 1);
   const auto alone = RunPlsc({"show", file});
   CHECK(alone.exit == 1);
@@ -139,9 +137,8 @@ TEST_CASE("the file is of its run, and is not taken for one", "[relive]") {
   std::filesystem::rename(file, copy.folder / "2.relived.sqlite");
   const std::string other = copy.folder / "2.sqlite";
   const auto evolved =
-      RunPlsc({"evolve",
-               copy.folder.Write("e.yaml", test::kTinyExperiment), "-o", other,
-               "--seed", "99", "--quiet"});
+      RunPlsc({"evolve", copy.folder.Write("e.yaml", test::kTinyExperiment),
+               "-o", other, "--seed", "99", "--quiet"});
   REQUIRE(evolved.exit == 0);
   const std::string before = test::ReadFile(copy.folder / "2.relived.sqlite");
   const auto refused = RunPlsc({"relive", other, "--lives", "1"});
@@ -156,8 +153,8 @@ TEST_CASE("the file is of its run, and is not taken for one", "[relive]") {
 
 TEST_CASE("a report shows relived values before recorded ones", "[relive]") {
   const RelivedCopy copy;
-  const auto without = Json::parse(
-      RunPlsc({"report", copy.run, "--format", "json"}).out);
+  const auto without =
+      Json::parse(RunPlsc({"report", copy.run, "--format", "json"}).out);
   CHECK(without["relived"]["runs"] == 0);
   CHECK(without["relived"]["command"] == "plsc relive " + copy.run);
   CHECK(without["runs"][0]["relived"]["state"] == "missing");
@@ -170,8 +167,8 @@ TEST_CASE("a report shows relived values before recorded ones", "[relive]") {
   CHECK(report["finals"][0]["told"] == "relived");
   CHECK(report["runs"][0]["relived"]["speeds"].size() == 2);
   // Without being asked to, it only reads.
-  const auto again = Json::parse(
-      RunPlsc({"report", copy.run, "--format", "json"}).out);
+  const auto again =
+      Json::parse(RunPlsc({"report", copy.run, "--format", "json"}).out);
   CHECK(again["finals"] == report["finals"]);
 }
 
@@ -228,9 +225,8 @@ TEST_CASE("a run of 0.1.0 lives again, and is told to be of other arithmetic",
 TEST_CASE("in one life nobody is swapped", "[relive]") {
   const test::TemporaryFolder folder;
   const std::string run = folder / "run.sqlite";
-  const std::string experiment =
-      folder.Write("e.yaml", std::string(test::kTinyExperiment) +
-                                 "  lives: continuous\n");
+  const std::string experiment = folder.Write(
+      "e.yaml", std::string(test::kTinyExperiment) + "  lives: continuous\n");
   const auto evolved = RunPlsc({"evolve", experiment, "-o", run, "--quiet"});
   INFO(evolved.err);
   REQUIRE(evolved.exit == 0);
