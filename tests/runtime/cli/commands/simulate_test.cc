@@ -72,6 +72,29 @@ TEST_CASE("simulate lives each season with the body of its environment",
   }
 }
 
+TEST_CASE("simulate says how far an iterative solver is from converging",
+          "[simulate]") {
+  const test::TemporaryFolder folder;
+  const std::string scenario = folder.Write(
+      "s.yaml",
+      "seasons:\n"
+      "  - {name: direct, duration: 1 s, senses: {inclined: True}}\n"
+      "  - {name: few, duration: 1 s, senses: {inclined: True},\n"
+      "     physics: {solver: iterative, solver_iterations: 7}}\n"
+      "  - {name: still, duration: 1 s, senses: {inclined: False},\n"
+      "     physics: {solver: iterative}}\n");
+  const auto ran =
+      RunPlsc({"simulate", "-", "--scenario", scenario}, test::kPlasticText);
+  REQUIRE(ran.exit == 0);
+  const std::string told = "  iterative solver, ";
+  const std::size_t at = ran.out.find(told);
+  REQUIRE(at != std::string::npos);
+  CHECK(ran.out.find(told + "7 iterations: half of the joints' speeds are ") ==
+        at);
+  // Neither of the direct solver nor of a robot without joints.
+  CHECK(ran.out.find(told, at + 1) == std::string::npos);
+}
+
 TEST_CASE("simulate writes the samples of each season", "[simulate]") {
   const test::TemporaryFolder folder;
   const std::string scenario = folder.Write("s.yaml", kShort);
