@@ -105,8 +105,10 @@ std::array<std::int64_t, 8> List(const CensusCounts& counts) {
           counts.regulated_rules, counts.silent_rules};
 }
 
-Census::Census(Database& database, const Experiment& experiment)
-    : states_(experiment.genotype.states),
+Census::Census(Database& database, const Experiment& experiment,
+               std::size_t most_rules)
+    : most_rules_(most_rules),
+      states_(experiment.genotype.states),
       words_((static_cast<std::size_t>(experiment.population) + 63) / 64),
       parents_(database,
                "SELECT parent1, parent2, from_second FROM individual "
@@ -124,6 +126,11 @@ Census::Census(Database& database, const Experiment& experiment)
 
 CensusCounts Census::Count(const std::vector<int>& survivors) {
   Pass(survivors);
+  if (clause_of_.size() > most_rules_) {
+    clause_of_.clear();
+    clause_places_.clear();
+    clauses_.resize(1);
+  }
   CensusCounts counts;
   std::set<std::vector<std::int64_t>> genotypes;
   std::set<std::string> phenotypes;
