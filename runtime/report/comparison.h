@@ -74,15 +74,35 @@ struct Test {
 std::vector<Test> TestsOf(const StudyReport& report,
                           const std::vector<Finals>& finals);
 
-/// How plastic an experiment's populations are, by generation: quartiles over
-/// runs of the shares of robots.
-struct PlasticCurve {
-  std::size_t experiment = 0;
-  std::vector<int> counts;
-  std::vector<Quartiles> body;
-  std::vector<Quartiles> brain;
+/// A number of a census that is shown over generations.
+struct CensusPart {
+  const char* id;
+  double (*of)(const CensusCounts& counts, double population);
 };
-std::vector<PlasticCurve> PlasticCurvesOf(const StudyReport& report);
+/// How many are different: genotypes, phenotypes, founders.
+const std::vector<CensusPart>& DiversityParts();
+/// Shares from 0 to 1: of robots body, brain_only; of rules regulated, silent.
+const std::vector<CensusPart>& PlasticityParts();
+
+/// Of an experiment's populations, by generation: quartiles over runs.
+struct CensusCurves {
+  std::size_t experiment = 0;
+  std::vector<int> counts;                    ///< runs
+  std::vector<std::vector<Quartiles>> parts;  ///< in their order
+};
+/// Of all experiments; those with one season have no plasticity.
+std::vector<CensusCurves> DiversityOf(const StudyReport& report);
+std::vector<CensusCurves> PlasticityOf(const StudyReport& report);
+
+/// How well servos did what they were told in a season of an experiment: the
+/// median over its runs, and the worst of all.
+struct ServoObedience {
+  std::size_t experiment = 0;
+  std::size_t season = 0;  ///< of the experiment's own
+  int runs = 0;            ///< that have measured it
+  SeasonErrors errors;
+};
+std::vector<ServoObedience> ObedienceOf(const StudyReport& report);
 
 /// The rules of the last populations of an experiment's runs.
 std::vector<RuleCount> RulesOf(const StudyReport& report,

@@ -12,6 +12,7 @@
 #include "runtime/report/report_relived_json.h"
 #include "runtime/report/rounded_json.h"
 #include "runtime/scenario/scenario_terrain.h"
+#include "runtime/store/schema.h"
 #include "runtime/text/json_dump.h"
 #include "runtime/text/quantity.h"
 
@@ -151,12 +152,31 @@ Json TestJson(const Test& test, const Names& names) {
   return json;
 }
 
-Json PlasticJson(const PlasticCurve& curve, const Names& names) {
-  Json json{{"experiment", names.Experiment(curve.experiment)},
-            {"runs", curve.counts}};
-  AddQuartiles(curve.body, json["body"]);
-  AddQuartiles(curve.brain, json["brain"]);
+Json CensusCurvesJson(const CensusCurves& curves,
+                      const std::vector<CensusPart>& parts,
+                      const Names& names) {
+  Json json{{"experiment", names.Experiment(curves.experiment)},
+            {"runs", curves.counts}};
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    AddQuartiles(curves.parts[i], json[parts[i].id]);
   return json;
+}
+
+Json ObedienceJson(const ServoObedience& one, const StudyReport& report) {
+  const ReportExperiment& experiment = report.experiments[one.experiment];
+  const Season& season = experiment.experiment.scenario.seasons[one.season];
+  const bool is_ode = season.physics.engine == EngineKind::kOde;
+  const bool is_iterative =
+      is_ode && season.physics.solver == Solver::kIterative;
+  return {{"experiment", experiment.name},
+          {"season", season.name},
+          {"engine", is_ode ? "ode" : "articulated"},
+          {"solver", is_iterative ? "iterative" : "direct"},
+          {"iterations", is_iterative ? Json(season.physics.solver_iterations)
+                                      : Json(nullptr)},
+          {"runs", one.runs},
+          {"median", Number(one.errors.median)},
+          {"worst", Number(one.errors.worst)}};
 }
 
 Json ValueJson(const std::optional<std::string>& value) {
@@ -283,6 +303,8 @@ Json RunJson(const ReportRun& run, const Json& experiment) {
   json["compiler"] = facts.versions.compiler;
   json["machine"] = facts.versions.machine;
   json["results"] = facts.versions.results;
+  json["schema"] = facts.schema;
+  json["lacks"] = MissingMeasures(facts.schema);
   json["work"] = WorkJson(facts.work);
   json["best"] = reading.best ? PortraitJson(*reading.best) : Json(nullptr);
   json["relived"] = RelivedOfRunJson(run);
@@ -374,9 +396,19 @@ std::string ReportJson(const StudyReport& report, const ReportMade& made) {
   json["tests"] = ListJson(tests, named(TestJson));
   json["relived"] = RelivedSummaryJson(report);
   json["swaps"] = SwapsJson(report);
-  json["plasticity"] = ListJson(PlasticCurvesOf(report), named(PlasticJson));
+  json["diversity"] =
+      ListJson(DiversityOf(report), [&](const CensusCurves& one) {
+        return CensusCurvesJson(one, DiversityParts(), names);
+      });
+  json["plasticity"] =
+      ListJson(PlasticityOf(report), [&](const CensusCurves& one) {
+        return CensusCurvesJson(one, PlasticityParts(), names);
+      });
   json["regulation"] = RegulationJson(report);
   json["runs"] = RunsJson(report);
+  json["servo_errors"] = ListJson(
+      ObedienceOf(report),
+      [&](const ServoObedience& one) { return ObedienceJson(one, report); });
   json["constants"] = ConstantsJson(report);
   return DumpJson(json);
 }
