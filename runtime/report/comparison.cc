@@ -50,6 +50,30 @@ const std::vector<double>& ValuesOf(const Series& series, Counted of) {
   return of == Counted::kBest ? series.best : series.means;
 }
 
+double RecordedOfRun(const StudyReport& report, std::size_t run,
+                     const Cell& cell, Counted of) {
+  const Series* series = SeriesOf(report, run, cell);
+  const auto generation = static_cast<std::size_t>(report.generation);
+  if (series == nullptr || generation >= ValuesOf(*series, of).size())
+    return std::numeric_limits<double>::quiet_NaN();
+  return ValuesOf(*series, of)[generation];
+}
+
+double RelivedOfRun(const StudyReport& report, std::size_t run,
+                    const Cell& cell, Counted of) {
+  const RelivedReading& relived = report.runs[run].relived;
+  const ReportMeasure& measure = report.measures[cell.measure];
+  const std::vector<std::string>& known = RelivedMeasures();
+  const auto found = std::find(known.begin(), known.end(), measure.id);
+  if (found == known.end() || relived.state != RelivedState::kHere ||
+      cell.own_season >= relived.generation.seasons)
+    return std::numeric_limits<double>::quiet_NaN();
+  const RelivedMeasure& one = relived.generation.of(
+      static_cast<std::size_t>(found - known.begin()), cell.own_season);
+  return measure.scale *
+         (of == Counted::kBest ? one.best.quartiles.median : one.mean);
+}
+
 /// Of the generations of an experiment: what `values_at` finds, summarised.
 template <typename ValuesAt>
 void Summarise(const ValuesAt& values_at, std::vector<int>& counts,
@@ -131,18 +155,16 @@ std::vector<Curve> CurvesOf(const StudyReport& report, Counted of) {
   return curves;
 }
 
-std::vector<Finals> FinalsOf(const StudyReport& report, Counted of) {
+std::vector<Finals> FinalsOf(const StudyReport& report, Counted of, Told told) {
   std::vector<Finals> all;
   if (report.generation < 0) return all;
-  const auto generation = static_cast<std::size_t>(report.generation);
   for (const Cell& cell : CellsOf(report)) {
-    Finals finals{cell.measure, cell.season, cell.experiment, {}, {}, of};
+    Finals finals{cell.measure, cell.season, cell.experiment, {}, {}, of, told};
     std::vector<double> values;
     for (const std::size_t run : report.experiments[cell.experiment].runs) {
-      const Series* series = SeriesOf(report, run, cell);
-      if (series == nullptr || generation >= ValuesOf(*series, of).size())
-        continue;
-      const double value = ValuesOf(*series, of)[generation];
+      const double value = told == Told::kRelived
+                               ? RelivedOfRun(report, run, cell, of)
+                               : RecordedOfRun(report, run, cell, of);
       if (std::isnan(value)) continue;
       finals.values.push_back({run, value});
       values.push_back(value);
@@ -174,7 +196,7 @@ std::vector<Test> TestsOf(const StudyReport& report,
       if (!takes_part(a) || !takes_part(b)) continue;
       tests.push_back({a.measure, a.season, a.experiment, b.experiment,
                        a.values.size(), b.values.size(),
-                       RankSumTest(values_of(a), values_of(b))});
+                       RankSumTest(values_of(a), values_of(b)), a.told});
     }
   return tests;
 }

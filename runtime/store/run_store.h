@@ -93,6 +93,11 @@ class RunStore : public RunObserver, public SimulationCache {
   /// With its evaluation, if it has one, every field as it was, bit for bit
   /// (but that -0 became 0).
   Expected<Individual, Failure> Find(int id);
+  /// Which run it is: under its experiment, constants and versions, of which
+  /// all else is a function.
+  Expected<std::int64_t, Failure> ChecksumOfRun();
+  /// Of an individual's birth, with its genotype.
+  Expected<std::int64_t, Failure> ChecksumOfBirth(int id);
   /// Individuals, from id 1 to this.
   Expected<int, Failure> Born();
   Expected<GenerationRecord, Failure> Generation(int number);

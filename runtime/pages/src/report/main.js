@@ -11,7 +11,9 @@ import { numbered } from "./numbered.js";
 import { diversitySection } from "./diversity.js";
 import { plasticitySection } from "./plasticity.js";
 import { provenanceSection } from "./provenance.js";
+import { relivedNote } from "./relived.js";
 import { stylesOf } from "./series.js";
+import { swapsSection } from "./swaps.js";
 import { testsSection } from "./tests.js";
 import { plural } from "./text.js";
 import { unfinishedText } from "./unfinished.js";
@@ -65,6 +67,7 @@ function measuresSection(data, measures) {
     { id: "measures" },
     element("h2", {}, "Measures"),
     element("p", { class: "note" }, note),
+    relivedNote(data),
     without.length ? element("p", { class: "note", id: "without" }, `No run has a value of ${without.join(", ")}.`) : null,
     element("div", { class: data.single && data.seasons.length === 1 ? "pairs" : null }, measures),
   );
@@ -74,7 +77,7 @@ function show(data) {
   const styles = stylesOf(data.experiments);
   const measures = data.measures.map((_, index) => measureSection(data, styles, index)).filter(Boolean);
   const differences = differencesSection(data);
-  const rest = [testsSection(data), diversitySection(data, styles), plasticitySection(data, styles), enginesSection(data, styles), gallerySection(data), provenanceSection(data)].filter(Boolean);
+  const rest = [testsSection(data), diversitySection(data, styles), plasticitySection(data, styles), swapsSection(data, styles), enginesSection(data, styles), gallerySection(data), provenanceSection(data)].filter(Boolean);
   const all = measuresSection(data, measures);
   document.body.append(element("main", {}, header(data), contents([differences, ...measures, ...rest]), differences, all, rest));
 }
