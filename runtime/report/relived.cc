@@ -56,13 +56,13 @@ int CommonSwaps(const RelivedMembers& members, std::size_t seasons,
   return has_any ? common : 0;
 }
 
-void AddSwaps(const RelivedMembers& members, std::size_t measure, int season,
-              const RelivedLives& lives, const RelivedGeneration& generation,
-              RelivedMeasure& summary) {
+/// Of a measure in a season of `generation`, whose numbers of lives are known.
+void AddSwaps(const RelivedLives& lives, const RelivedGeneration& generation,
+              std::size_t measure, int season, RelivedMeasure& summary) {
   std::vector<double> own;
   std::vector<double> others;
   std::vector<double> losses;
-  for (const int id : members.survivors) {
+  for (const auto& [id, values] : generation.robots) {
     const double mine =
         lives.ValueOf({id, false, season, season}, measure, generation.lives)
             .quartiles.median;
@@ -172,7 +172,7 @@ RelivedGeneration SummariseRelived(const RelivedMembers& members,
       summary.best_by_other =
           lives.ValueOf({members.best, true, season, season}, measure,
                         generation.other_lives);
-      AddSwaps(members, measure, season, lives, generation, summary);
+      AddSwaps(lives, generation, measure, season, summary);
       generation.measures.push_back(summary);
     }
   return generation;

@@ -72,11 +72,11 @@ std::string LostText(double before, double after) {
   return fmt::format("{} ({:.0f} %)", SpeedText(lost), 100 * share);
 }
 
-void AddRow(const std::string& season, const std::string& whose,
-            double recorded, double relived, const Quartiles& quartiles,
-            TableRows& rows) {
-  rows.push_back({season, whose, SpeedText(recorded), SpeedText(relived),
-                  RangeText(quartiles), LostText(recorded, relived)});
+/// What is told of a robot, or of all, in a season.
+std::vector<std::string> RowOf(const std::string& whose, double recorded,
+                               double relived, const Quartiles& quartiles) {
+  return {whose, SpeedText(recorded), SpeedText(relived), RangeText(quartiles),
+          LostText(recorded, relived)};
 }
 
 std::string Plural(int count, const char* what) {
@@ -94,16 +94,19 @@ std::string RecordText(const RelivedRun& run,
   for (std::size_t i = 0; i < run.seasons.size(); ++i) {
     const std::size_t place = SpeedIndex() * generation.seasons + i;
     const RelivedMeasure& speed = generation.of(SpeedIndex(), i);
-    const std::string season = Escaped(run.seasons[i]);
+    const auto add = [&](std::vector<std::string> row) {
+      row.insert(row.begin(), Escaped(run.seasons[i]));
+      rows.push_back(std::move(row));
+    };
     const double best = RecordedOf(run, generation.best, place);
-    AddRow(season, fmt::format("best, {}", generation.best), best,
-           speed.best.quartiles.median, speed.best.quartiles, rows);
+    add(RowOf(fmt::format("best, {}", generation.best), best,
+              speed.best.quartiles.median, speed.best.quartiles));
     if (generation.other_lives > 0)
-      AddRow(season, "best, by " + run.other_engine, best,
-             speed.best_by_other.quartiles.median,
-             speed.best_by_other.quartiles, rows);
-    AddRow(season, "mean", RecordedMean(run, generation, place), speed.mean,
-           speed.medians, rows);
+      add(RowOf("best, by " + run.other_engine, best,
+                speed.best_by_other.quartiles.median,
+                speed.best_by_other.quartiles));
+    add(RowOf("mean", RecordedMean(run, generation, place), speed.mean,
+              speed.medians));
   }
   return AlignedRows(rows);
 }

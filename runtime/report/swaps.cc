@@ -45,6 +45,7 @@ std::vector<SwapLosses> SwapLossesOf(const StudyReport& report) {
             static_cast<std::size_t>(own - experiment.seasons.begin()));
         if (runs.empty()) continue;
         std::vector<double> losses;
+        losses.reserve(runs.size());
         for (const RunSwap& run : runs) losses.push_back(run.own - run.swapped);
         const auto result = SignedRankTest(losses);
         all.push_back({id, season, i, std::move(runs),

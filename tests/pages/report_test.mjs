@@ -32,6 +32,7 @@ const still = join(scratch, "still.html");
 const waiting = join(scratch, "waiting.html");
 const partly = join(scratch, "partly.html");
 const checked = join(scratch, "checked.html");
+const relived = join(scratch, "relived.html");
 const iterative = join(scratch, "iterative.html");
 const older = join(scratch, "older.html");
 const solvers = `name: solvers
@@ -66,6 +67,13 @@ before(() => {
   cpSync(folder, begun, { recursive: true });
   for (const run of ["plastic/2", "plastic/3", "baseline/1", "baseline/2", "baseline/3", "static/2"]) rmSync(join(begun, `${run}.sqlite`));
   plsc("report", begun, "-o", waiting, "--measures", "size");
+
+  // Robots of a copy have lived again, but for one run.
+  const again = join(scratch, "again");
+  cpSync(folder, again, { recursive: true });
+  plsc("relive", again, "--lives", "2", "--swap", "1", "--quiet");
+  rmSync(join(again, "baseline/3.relived.sqlite"));
+  plsc("report", again, "-o", relived, "--measures", "speed,size");
 
   // One run missing, one damaged, one whose name is a script.
   const runs = join(scratch, "runs");
@@ -296,6 +304,46 @@ test("robots that lived by both engines are compared, a chart a season", () =>
 
 test("a report that was not asked for it has no other engine", () =>
   withPage(file, desktop, async (page) => assert.equal(await page.locator("#engines").count(), 0)));
+
+test("relived values come before recorded ones", () =>
+  withPage(relived, desktop, async (page) => {
+    await assertFitsWidth(page);
+    const charts = (await chartsOf(page)).filter(({ kind }) => kind === "boxes");
+    const titles = charts.map(({ title }) => title);
+    // Size does not differ between lives of one robot.
+    const isRelived = (title) => title.startsWith("Relived ");
+    assert.deepEqual(titles.filter(isRelived), ["", " of the best robots"].flatMap((of) => ["flat", "tilted"].map((season) => `Relived Speed${of} of generation 3, ${season}`)));
+    assert.ok(titles.findIndex(isRelived) < titles.findIndex((title) => title.startsWith("Speed")));
+    for (const { title, boxes, dots, isFinite } of charts.filter(({ title }) => isRelived(title))) {
+      assert.equal(boxes, 2, title);
+      assert.equal(dots, 5, title); // a run each, of those that have them
+      assert.ok(isFinite, title);
+    }
+    assert.match(await page.textContent("#relived"), /8 runs, 2 lives of each survivor\. Of 1 run they are missing/);
+    assert.match(await page.textContent("#tests"), /relived.*recorded/s);
+    assert.match(await page.textContent("#gallery"), /relived -?[0-9.]+ \(/);
+    await page.locator("#relived").scrollIntoViewIfNeeded();
+    await screenshot(page, "report-relived");
+  }));
+
+test("what plastic robots lose with another season's body is shown", () =>
+  withPage(relived, desktop, async (page) => {
+    const charts = (await chartsOf(page)).filter(({ title }) => title.startsWith("Speed lost"));
+    assert.ok(charts.length >= 1 && charts.length <= 2);
+    for (const { title, isFinite, dots } of charts) assert.ok(isFinite && dots >= 1 && dots <= 3, title);
+    assert.match(await page.textContent("#swaps"), /plastic/);
+    const { name, text } = await downloaded(page, page.locator('button[aria-label="CSV of the swap test"]'));
+    assert.equal(name, "swaps.csv");
+    assert.match(text, /^measure,season,experiment,run,robots,own_cm_s,swapped_cm_s,loss_cm_s\r\n/);
+    await page.locator("#swaps").scrollIntoViewIfNeeded();
+    await screenshot(page, "report-swaps");
+  }));
+
+test("a report without relived lives says how to make them", () =>
+  withPage(file, desktop, async (page) => {
+    assert.match(await page.textContent("#relived"), /have lived again: plsc relive .*study/);
+    assert.equal(await page.locator("#swaps").count(), 0);
+  }));
 
 test("what is not finished is told in groups", () =>
   withPage(waiting, desktop, async (page) => {

@@ -194,19 +194,26 @@ Expected<std::vector<RelivedSeason>, Failure> LivesThere(
   return file.Lives();
 }
 
-MaybeFailure LiveMissing(RunStore& store, const ReliveSubjects& subjects,
-                         const ReliveRequest& request, std::optional<int> jobs,
-                         const OnLived& on_lived, RelivedFile& file,
-                         ReliveOutcome& outcome) {
+/// Who lives how often, by how many workers, and who is told.
+struct ReliveWork {
+  const ReliveSubjects& subjects;
+  const ReliveRequest& request;
+  std::optional<int> jobs;
+  const OnLived& on_lived;
+};
+
+MaybeFailure LiveMissing(RunStore& store, const ReliveWork& work,
+                         RelivedFile& file, ReliveOutcome& outcome) {
+  const ReliveSubjects& subjects = work.subjects;
   const std::string path = RelivedPathOf(store.path());
   if (auto failure = file.OpenForWriting(path, subjects.run)) return failure;
   if (auto failure = file.BeginRobots(subjects.Sums())) return failure;
   // Another process may have added to it since we looked.
   const auto there = file.Lives();
   if (!there) return there.error();
-  const auto orders = MissingLives(subjects, request, *there);
+  const auto orders = MissingLives(subjects, work.request, *there);
   outcome.missing = static_cast<std::int64_t>(orders.size());
-  ReliveTask(store, file, jobs, on_lived, outcome).Run(orders);
+  ReliveTask(store, file, work.jobs, work.on_lived, outcome).Run(orders);
   MaybeFailure closing = file.Close();
   if (closing && !outcome.failure) return closing;
   return outcome.failure;
@@ -236,7 +243,7 @@ ReliveOutcome ReliveRun(const std::string& run, const ReliveRequest& asked,
   const auto orders = MissingLives(*subjects, request, *there);
   if (!orders.empty()) {
     file.Close();
-    if (auto failure = LiveMissing(store, *subjects, request, jobs, on_lived,
+    if (auto failure = LiveMissing(store, {*subjects, request, jobs, on_lived},
                                    file, outcome))
       return fail(*failure);
     if (outcome.exit != Exit::kFine) return outcome;
