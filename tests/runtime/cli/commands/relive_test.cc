@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "runtime/life/life_plan.h"
 #include "runtime/relive/relived_file.h"
 #include "runtime/store/database.h"
 #include "tests/runtime/cli/run_plsc.h"
@@ -88,6 +89,41 @@ TEST_CASE("lives are the same for any workers, and however they were asked for",
   CHECK(Dump(RelivedPathOf(many.run)) == Dump(RelivedPathOf(one.run)));
   CHECK(shown.find("generation 0: 6 survivors, 3 lives each") !=
         std::string::npos);
+}
+
+// Who is told by the season what it sensed in the other one develops as it did
+// there: another way to the same life.
+TEST_CASE("a swapped life is that of who is told of the other season",
+          "[relive]") {
+  const RelivedCopy copy;
+  RunPlsc({"relive", copy.run, "--lives", "1", "--swap", "1", "--quiet"});
+  RunStore store;
+  REQUIRE_FALSE(store.OpenForReading(copy.run));
+  RelivedFile file;
+  REQUIRE_FALSE(
+      file.OpenForReading(RelivedPathOf(copy.run), *IdentityOf(store)));
+  const auto lives = file.Lives();
+  REQUIRE(lives);
+  int swapped = 0;
+  for (const RelivedSeason& life : *lives) {
+    if (!life.of.is_swapped()) continue;
+    ++swapped;
+    const auto robot = store.Find(life.of.id);
+    REQUIRE(robot);
+    Scenario told = store.experiment().scenario;
+    const auto season = static_cast<std::size_t>(life.of.season);
+    const auto other = static_cast<std::size_t>(life.of.phenotype);
+    for (const SensedState& state : robot->evaluation.seasons[other].sensed)
+      told.seasons[season].senses[state.name] = state.value;
+    Disturbances starts(told.seasons.size());
+    starts[season].lift = life.lift;
+    const LifePlanner planner(told);
+    for (const LifePiece& piece : planner.Plan(robot->genotype, {}, starts))
+      if (piece.first == season)
+        CHECK(planner.Simulate(robot->genotype, {}, piece, starts)[0]
+                  .state_hash == life.state_hash);
+  }
+  CHECK(swapped > 0);
 }
 
 TEST_CASE("relive prints JSON with every measure, and the other engine",
