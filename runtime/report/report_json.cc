@@ -373,8 +373,7 @@ std::string ReportJson(const StudyReport& report, const ReportMade& made) {
       std::vector<Finals> finals = FinalsOf(report, of, told);
       // Tested are means alone.
       if (of == Counted::kMean)
-        for (Test& test : TestsOf(report, finals))
-          tests.push_back(std::move(test));
+        for (const Test& test : TestsOf(report, finals)) tests.push_back(test);
       for (Finals& one : finals) boxes.push_back(std::move(one));
     }
   Json json;
