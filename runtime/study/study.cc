@@ -14,6 +14,7 @@
 #include <unordered_set>
 #include <utility>
 
+#include "runtime/study/claim_yaml.h"
 #include "runtime/text/key.h"
 #include "runtime/text/yaml_reader.h"
 #include "runtime/text/yaml_text.h"
@@ -134,6 +135,11 @@ Study ReadStudy(YamlMap& map) {
                    "{encoding: baseline}}'"))
     if (!IsTooMuch(*experiments, study, base_values))
       study.experiments = ReadExperiments(*experiments, base);
+  // Names that are wrong there are unknown here, and told once.
+  if (const auto claims = map.Find("claims"))
+    study.claims = ReadClaims(
+        *claims, study.experiments,
+        claims->error_count() > 0 ? ClaimCheck::kWords : ClaimCheck::kNames);
   map.Close();
   return study;
 }
@@ -172,6 +178,7 @@ std::string PrintStudy(const Study& study) {
   for (const StudyExperiment& one : study.experiments)
     text += fmt::format("  {}:\n{}", PrintYamlText(one.name),
                         PrintExperimentKeys(one.experiment, 4));
+  if (!study.claims.empty()) text += "claims:\n" + PrintClaims(study.claims, 2);
   return text;
 }
 

@@ -10,24 +10,17 @@
 #include <vector>
 
 #include "grammar/result.h"
-#include "runtime/evolve/experiment.h"
+#include "runtime/study/claim.h"
+#include "runtime/study/study_experiment.h"
 
 namespace plsc {
-
-struct StudyExperiment {
-  std::string name;  ///< also of its folder
-  /// Its `name` and `seed` mean nothing; ExperimentOf sets them.
-  Experiment experiment;
-
-  friend bool operator==(const StudyExperiment&,
-                         const StudyExperiment&) = default;
-};
 
 struct Study {
   std::string name;
   std::uint64_t seed = 1;
   int repetitions = 20;  ///< of every experiment; the paper's
   std::vector<StudyExperiment> experiments;  ///< in the order of the file
+  std::vector<Claim> claims;                 ///< likewise
 
   friend bool operator==(const Study&, const Study&) = default;
 };

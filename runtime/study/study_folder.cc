@@ -1,6 +1,7 @@
 // The folder says by its study.yaml which study it is of, with every value
 // written out, and is refused to any other: results of two studies in one
-// folder would be compared as if they were one. Of several processes that begin
+// folder would be compared as if they were one. What is claimed of its runs
+// makes no other study. Of several processes that begin
 // at once one makes that file (store/new_file) and the others find it.
 
 #include "runtime/study/study_folder.h"
@@ -25,6 +26,13 @@ constexpr const char* kPartial = "study.yaml.";
 
 std::string FileIn(const std::string& folder) {
   return (fs::path(folder) / kFile).string();
+}
+
+/// All that its runs are a function of.
+std::string TextOf(const Study& study) {
+  Study runs = study;
+  runs.claims.clear();
+  return PrintStudy(runs);
 }
 
 /// Folders that go away again with the object if there is nothing in them.
@@ -115,7 +123,7 @@ std::string Difference(const std::string& there, const std::string& here) {
 MaybeFailure PrepareFolder(const std::string& folder, const Study& study) {
   MadeFolders made;
   if (MaybeFailure failure = made.Make(folder)) return failure;
-  const std::string text = PrintStudy(study);
+  const std::string text = TextOf(study);
   std::error_code error;
   if (!fs::exists(FileIn(folder), error)) {
     if (MaybeFailure failure = CheckEmpty(folder)) return failure;
@@ -130,7 +138,7 @@ MaybeFailure PrepareFolder(const std::string& folder, const Study& study) {
 }
 
 MaybeFailure CheckFolder(const std::string& folder, const Study& study) {
-  const std::string text = PrintStudy(study);
+  const std::string text = TextOf(study);
   const std::optional<std::string> there = ReadAll(FileIn(folder));
   if (!there) return fmt::format("cannot read '{}'", FileIn(folder));
   if (*there == text) return std::nullopt;

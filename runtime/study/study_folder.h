@@ -1,8 +1,10 @@
 #pragma once
 
 // A study on the disk: FOLDER/study.yaml, the study with every value written
-// out, and FOLDER/EXPERIMENT/REPETITION.sqlite, its runs. Any number of
-// processes, on any number of hosts that see the folder, may work in it.
+// out but without its claims, which are not part of what its runs are
+// (claims_record.h), and FOLDER/EXPERIMENT/REPETITION.sqlite, its runs. Any
+// number of processes, on any number of hosts that see the folder, may work in
+// it.
 
 #include <optional>
 #include <string>

@@ -96,11 +96,12 @@ void Add(Options& options, StudyStatusCommand& command) {
       "Works while runs go on, and changes nothing. Speeds are those of the "
       "best robot of\nthe last generation. States: done, running (a process "
       "works on it), unfinished\n(stopped or killed), missing (not begun), "
-      "damaged.\n\n"
+      "damaged. Below them: when the study's claims were stated, and "
+      "changed.\n\n"
       "  plsc study status paper\n"
       "  plsc study status paper --format json | jq -c "
       "'select(.state == \"damaged\")'\n\n"
-      "Exit status: 0 fine, 1 a run is damaged.");
+      "Exit status: 0 fine, 1 a run, or what was claimed, is damaged.");
 }
 
 }  // namespace plsc::cli

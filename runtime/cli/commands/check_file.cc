@@ -64,9 +64,11 @@ std::string ContentsOf(const Study& study) {
   for (const StudyExperiment& one : study.experiments)
     robots += Evaluations(one.experiment) * study.repetitions;
   const auto experiments = static_cast<std::int64_t>(study.experiments.size());
-  return fmt::format("study{}, {}, {} each, {}", Named(study.name),
+  const auto claims = static_cast<std::int64_t>(study.claims.size());
+  return fmt::format("study{}, {}, {} each, {}{}", Named(study.name),
                      Plural(experiments, "experiment"),
-                     Plural(study.repetitions, "run"), Plural(robots, "robot"));
+                     Plural(study.repetitions, "run"), Plural(robots, "robot"),
+                     claims > 0 ? ", " + Plural(claims, "claim") : "");
 }
 
 std::string ContentsOf(const Scenario& scenario) {

@@ -10,8 +10,10 @@
 #include "runtime/cli/files/open_run.h"
 #include "runtime/cli/running/interrupt.h"
 #include "runtime/cli/running/run_experiment.h"
+#include "runtime/cli/running/utc_now.h"
 #include "runtime/scenario/scenario_physics.h"
 #include "runtime/store/shared_cache.h"
+#include "runtime/study/claims_record.h"
 #include "runtime/study/run_study.h"
 #include "runtime/study/slice.h"
 #include "runtime/study/study_folder.h"
@@ -91,6 +93,7 @@ MaybeFailure Prepare(const StudyRunCommand& command, const Study& study) {
   if (!command.cache.empty())
     if (auto failure = cache.Open(command.cache)) return failure;
   auto failure = PrepareFolder(command.output, study);
+  if (!failure) failure = StateClaims(command.output, study, UtcNow());
   if (failure) cache.Discard();
   return failure;
 }

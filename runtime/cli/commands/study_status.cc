@@ -6,6 +6,7 @@
 
 #include "grammar/shown_line.h"
 #include "runtime/cli/arguments/study.h"
+#include "runtime/study/claims_record.h"
 #include "runtime/study/run_report.h"
 #include "runtime/study/study_folder.h"
 #include "runtime/text/json_dump.h"
@@ -93,6 +94,18 @@ void PrintTotals(const Totals& totals, std::ostream& out) {
                          static_cast<double>(totals.planned));
 }
 
+/// "12 claims, stated 2026-11-30T12:00:00Z before the first run", and a line
+/// for every change afterwards.
+void PrintStated(const ClaimsRecord& record, std::ostream& out) {
+  for (const ClaimsVersion& version : record)
+    out << fmt::format("{}{} claim{}, {} {} {}\n",
+                       &version == &record.front() ? "" : "changed to ",
+                       version.claims.size(),
+                       version.claims.size() == 1 ? "" : "s",
+                       &version == &record.front() ? "stated" : "at",
+                       Escaped(version.stated), WhenStated(version));
+}
+
 }  // namespace
 
 Exit Run(const StudyStatusCommand& command, Io& io) {
@@ -119,6 +132,11 @@ Exit Run(const StudyStatusCommand& command, Io& io) {
     if (!report.problem.empty()) totals.problems.push_back(report.problem);
   }
   if (is_text) PrintTotals(totals, io.out);
+  const Expected<ClaimsRecord, Failure> record = ClaimsIn(command.folder);
+  if (!record)
+    totals.problems.push_back(record.error().text);
+  else if (is_text)
+    PrintStated(*record, io.out);
   for (const std::string& problem : totals.problems)
     io.err << fmt::format("error: {}\n", Escaped(problem));
   return totals.problems.empty() ? Exit::kFine : Exit::kBadInput;

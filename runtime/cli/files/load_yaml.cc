@@ -10,6 +10,7 @@
 #include "runtime/scenario/scenario_physics.h"
 #include "runtime/scenario/scenario_profile.h"
 #include "runtime/scenario/scenario_yaml.h"
+#include "runtime/study/claim_yaml.h"
 
 namespace plsc::cli {
 
@@ -64,6 +65,17 @@ bool CompleteScenario(Experiment& experiment, const Source& source,
   return false;
 }
 
+/// Of seasons that came from files of their own.
+bool ClaimsFit(const Study& study, const Source& source, Findings& findings) {
+  std::vector<Diagnostic> problems =
+      CheckClaims(study.claims, study.experiments);
+  if (problems.empty()) return true;
+  const Span place = PlaceOf("claims", source);
+  for (Diagnostic& problem : problems) problem.span = place;
+  findings.push_back({source, std::move(problems)});
+  return false;
+}
+
 }  // namespace
 
 std::optional<Scenario> ReadScenarioText(const Source& source,
@@ -88,6 +100,7 @@ std::optional<Study> ReadStudyText(const Source& source, Findings& findings,
       return std::nullopt;
     one.experiment.scenario_file.clear();
   }
+  if (!ClaimsFit(*study, source, findings)) return std::nullopt;
   return study;
 }
 

@@ -1,11 +1,9 @@
 #include "runtime/cli/running/json_log.h"
 
-#include <fmt/chrono.h>
 #include <fmt/format.h>
 
 #include <cerrno>
 #include <chrono>
-#include <ctime>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <system_error>
@@ -14,6 +12,7 @@
 #include "runtime/cli/files/output_file.h"
 #include "runtime/cli/files/pipe_errors.h"
 #include "runtime/cli/running/progress.h"
+#include "runtime/cli/running/utc_now.h"
 #include "runtime/text/json_dump.h"
 #include "runtime/text/system_reason.h"
 
@@ -33,8 +32,7 @@ Json OrNull(const std::optional<double>& number) {
 Json Begin(const char* event, double seconds) {
   Json json;
   json["event"] = event;
-  json["time"] =
-      fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
+  json["time"] = UtcNow();
   json["seconds"] = seconds;
   return json;
 }

@@ -10,13 +10,11 @@
 
 #include "runtime/cli/running/run_experiment.h"
 
-#include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <sys/resource.h>
 
 #include <algorithm>
 #include <chrono>
-#include <ctime>
 #include <filesystem>
 #include <ostream>
 #include <utility>
@@ -26,10 +24,12 @@
 #include "runtime/cli/running/interrupt.h"
 #include "runtime/cli/running/json_log.h"
 #include "runtime/cli/running/progress.h"
+#include "runtime/cli/running/utc_now.h"
 #include "runtime/evolve/worker_request.h"
 #include "runtime/store/lock.h"
 #include "runtime/store/run_store.h"
 #include "runtime/store/salvage.h"
+#include "runtime/store/schema.h"
 #include "runtime/store/shared_cache.h"
 #include "runtime/workers/worker_count.h"
 #include "runtime/workers/worker_pool.h"
@@ -46,10 +46,6 @@ double CpuSeconds(int who) {
            1e-6 * static_cast<double>(t.tv_usec);
   };
   return seconds(usage.ru_utime) + seconds(usage.ru_stime);
-}
-
-std::string UtcNow() {
-  return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
 }
 
 bool IsNew(const RunRequest& request) {
@@ -109,8 +105,15 @@ MaybeFailure OpenSalvage(RunRequest& request, Salvage& salvage, Io& io) {
         "--allow-other-version)",
         request.salvage, VersionsText(salvage.versions()), VersionsText(own));
   if (own_experiment) request.experiment = own_experiment;
-  io.err << fmt::format("{} simulated seasons of '{}' can be used\n",
-                        salvage.size(), request.salvage);
+  if (salvage.schema() < kSchemaVersion)
+    io.err << fmt::format(
+        "'{}' is a store of schema {}, whose simulations lack {}: all are made "
+        "again\n",
+        request.salvage, salvage.schema(),
+        fmt::join(MissingMeasures(salvage.schema()), ", "));
+  else
+    io.err << fmt::format("{} simulated seasons of '{}' can be used\n",
+                          salvage.size(), request.salvage);
   return std::nullopt;
 }
 

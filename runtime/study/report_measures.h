@@ -1,9 +1,11 @@
 #pragma once
 
-// What a report can show of robots: the one table from the paper's names and
-// units to the columns of a store. Knows no numbers of any run.
+// What reports show of robots and claims speak of: the one table from the
+// paper's names and units to the columns of a store. Knows no numbers of any
+// run.
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -41,5 +43,11 @@ std::vector<ReportMeasure> AllMeasures();
 /// any case: "speed,hinge_count". Fails with what is unknown and what there is.
 Expected<std::vector<ReportMeasure>, Failure> ChooseMeasures(
     std::string_view text);
+
+/// By column or title, in any case.
+std::optional<ReportMeasure> FindMeasure(std::string_view name);
+
+/// As it is typed: its title in small letters, '_' for blanks. No other's.
+std::string MeasureName(const ReportMeasure& measure);
 
 }  // namespace plsc

@@ -1,4 +1,4 @@
-#include "runtime/report/report_measures.h"
+#include "runtime/study/report_measures.h"
 
 #include <fmt/format.h>
 
@@ -33,11 +33,18 @@ bool IsSpeed(const std::string& id) {
   return id.find("velocity") != std::string::npos;
 }
 
+/// As shown.
+std::string UnitOf(const std::string& id) {
+  if (IsSpeed(id)) return "cm/s";
+  if (id.find("servo_error") != std::string::npos) return "rad/s";
+  return id == "core_turns" ? "1/m" : "";
+}
+
 void AddOthers(const std::vector<std::string>& columns, MeasureSource source,
                Measures& all) {
   for (const std::string& id : columns)
     if (!Has(all, id))
-      all.push_back({id, TitleOf(id), IsSpeed(id) ? "cm/s" : "",
+      all.push_back({id, TitleOf(id), UnitOf(id),
                      IsSpeed(id) ? kCentimetres : 1, source});
 }
 
@@ -52,6 +59,14 @@ std::string Folded(std::string_view text) {
   const std::size_t begin = folded.find_first_not_of('_');
   if (begin == std::string::npos) return "";
   return folded.substr(begin, folded.find_last_not_of('_') + 1 - begin);
+}
+
+/// `name` is folded.
+Measures::const_iterator FindIn(const Measures& all, const std::string& name) {
+  return std::find_if(
+      all.begin(), all.end(), [&](const ReportMeasure& measure) {
+        return measure.id == name || Folded(measure.title) == name;
+      });
 }
 
 std::vector<std::string> SplitNames(std::string_view text) {
@@ -96,10 +111,7 @@ Expected<Measures, Failure> ChooseMeasures(std::string_view text) {
   for (const ReportMeasure& measure : all) names.push_back(measure.id);
   Measures chosen;
   for (const std::string& name : SplitNames(text)) {
-    const auto found =
-        std::find_if(all.begin(), all.end(), [&](const ReportMeasure& measure) {
-          return measure.id == name || Folded(measure.title) == name;
-        });
+    const auto found = FindIn(all, name);
     if (found == all.end())
       return Failure(fmt::format(
           "unknown measure '{}'; there are paper, all, or any of speed, "
@@ -108,6 +120,16 @@ Expected<Measures, Failure> ChooseMeasures(std::string_view text) {
     if (!Has(chosen, found->id)) chosen.push_back(*found);
   }
   return chosen;
+}
+
+std::optional<ReportMeasure> FindMeasure(std::string_view name) {
+  const Measures all = AllMeasures();
+  const auto found = FindIn(all, Folded(name));
+  return found == all.end() ? std::nullopt : std::optional(*found);
+}
+
+std::string MeasureName(const ReportMeasure& measure) {
+  return Folded(measure.title);
 }
 
 }  // namespace plsc

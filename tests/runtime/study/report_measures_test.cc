@@ -1,4 +1,4 @@
-#include "runtime/report/report_measures.h"
+#include "runtime/study/report_measures.h"
 
 #include <catch2/catch.hpp>
 #include <set>
@@ -51,6 +51,20 @@ TEST_CASE("Measures are chosen by column or title", "[report_measures]") {
     REQUIRE_FALSE(failed);
     CHECK(failed.error().text.find("hinge_count") != std::string::npos);
   }
+}
+
+TEST_CASE("Each measure has a name of its own, by which it is found",
+          "[report_measures]") {
+  std::set<std::string> names;
+  for (const ReportMeasure& measure : AllMeasures()) {
+    const std::string name = MeasureName(measure);
+    CHECK(names.insert(name).second);
+    CHECK(FindMeasure(name) == measure);
+    CHECK(FindMeasure(measure.id) == measure);
+    CHECK(FindMeasure(measure.title) == measure);
+  }
+  CHECK(names.count("sensors_reach") == 1);
+  CHECK_FALSE(FindMeasure("sped"));
 }
 
 }  // namespace plsc
