@@ -15,8 +15,8 @@ build/PRESET and runs all tests. Works on a fresh Debian 12 machine.
   --fast      leave out the tests labelled slow
   --core      only the fast tests of the compiler, development, simulation and
               the language server; builds nothing else
-  --watched   those and the fast tests of evolution, stores, studies and reports:
-              what .ci/run has sanitizers watch
+  --watched   those and the fast tests of evolution, stores, studies, reports and
+              commands: what .ci/run has sanitizers watch
 TXT
 }
 
@@ -33,7 +33,7 @@ while [ $# -gt 0 ]; do
       shift 2 ;;
     --fast) labels=(-L fast); shift ;;
     --core) labels=(-L core); target=core_tests; shift ;;
-    --watched) labels=(-L 'core|runs'); target=watched_tests; shift ;;
+    --watched) labels=(-L 'core|watched'); target=watched_tests; shift ;;
     -h | --help) usage; exit 0 ;;
     *) usage >&2; echo "tests/run.sh: unknown argument '$1'" >&2; exit 2 ;;
   esac

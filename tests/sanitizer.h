@@ -7,6 +7,8 @@
 // times. What a sanitizer sees, it sees in the first few; that all of them are
 // right is for the builds without to tell, where nothing is left out.
 
+#include <cstddef>
+
 #if defined(__SANITIZE_ADDRESS__)
 #define PLSC_HAS_ASAN 1
 #elif defined(__has_feature)
@@ -26,5 +28,8 @@ template <typename Count>
 constexpr Count Sampled(Count cases) {
   return PLSC_HAS_ASAN ? (cases + 9) / 10 : cases;
 }
+
+/// How far apart those are that are taken of a file's cases, one or ten.
+inline constexpr std::size_t kSparser = 10 / Sampled(std::size_t{10});
 
 }  // namespace plsc::test
