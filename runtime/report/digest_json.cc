@@ -14,6 +14,7 @@
 
 #include "grammar/number.h"
 #include "runtime/report/digest.h"
+#include "runtime/store/schema.h"
 #include "runtime/text/json_dump.h"
 #include "runtime/text/json_reader.h"
 #include "runtime/text/json_text.h"
@@ -63,16 +64,26 @@ Json KeptSeries(const Digest& digest, const PopulationSummary& population,
   return json;
 }
 
-Json KeptShares(const std::vector<PlasticShares>& shares,
-                const std::vector<int>& kept) {
-  std::vector<double> body;
-  std::vector<double> brain;
-  for (const PlasticShares& one : shares) {
-    body.push_back(one.body);
-    brain.push_back(one.brain);
+/// By the columns of a store, as `generation` has them.
+Json KeptCensuses(const std::vector<CensusCounts>& censuses,
+                  const std::vector<int>& kept) {
+  const std::vector<std::string> names = CensusColumns();
+  Json json = Json::object();
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    Json& numbers = json[names[i]] = Json::array();
+    for (const int generation : kept)
+      numbers.push_back(
+          List(censuses[static_cast<std::size_t>(generation)])[i]);
   }
-  return {{"body", NumbersJson(body, kept)},
-          {"brain", NumbersJson(brain, kept)}};
+  return json;
+}
+
+Json KeptErrors(const std::vector<SeasonErrors>& errors) {
+  Json json = Json::array();
+  for (const SeasonErrors& one : errors)
+    json.push_back(
+        {{"median", Rounded(one.median)}, {"worst", Rounded(one.worst)}});
+  return json;
 }
 
 Json KeptVersions(const Versions& versions) {
@@ -104,8 +115,8 @@ Json KeptRun(const Digest& digest, const DigestRun& one) {
             {"evaluations", reading.facts.evaluations},
             {"generations", kept},
             {"series", KeptSeries(digest, reading.population, kept)}};
-  if (!reading.population.plastic.empty())
-    json["plastic"] = KeptShares(reading.population.plastic, kept);
+  json["census"] = KeptCensuses(reading.population.censuses, kept);
+  json["servo_errors"] = KeptErrors(reading.population.errors);
   json["best"] = {{"id", reading.facts.best}, {"genotype", one.genotype}};
   return json;
 }
@@ -161,6 +172,34 @@ Series ReadSeries(JsonReader& reader, const JsonValue& value,
   return series;
 }
 
+std::vector<CensusCounts> ReadCensuses(JsonReader& reader,
+                                       const JsonValue& value,
+                                       GenerationsReader& generations) {
+  std::vector<std::vector<double>> columns;
+  for (const std::string& name : CensusColumns())
+    columns.push_back(generations.Read(value, name));
+  std::vector<CensusCounts> censuses(columns.front().size());
+  for (std::size_t i = 0; i < censuses.size(); ++i) {
+    std::array<std::int64_t, 8> counts{};
+    for (std::size_t k = 0; k < counts.size(); ++k)
+      // None, where a generation was not kept.
+      if (std::abs(columns[k][i]) < 1e15)
+        counts[k] = static_cast<std::int64_t>(columns[k][i]);
+    censuses[i] = {counts[0], counts[1], counts[2], counts[3],
+                   counts[4], counts[5], counts[6], counts[7]};
+  }
+  return censuses;
+}
+
+/// No number for null.
+double ReadOptional(JsonReader& reader, const JsonValue& object,
+                    std::string_view key) {
+  const nlohmann::json* member = reader.Member(object, key);
+  return member == nullptr || member->is_null()
+             ? kNotKept
+             : reader.Number(JsonValue{*member, &object, std::string(key)});
+}
+
 void ReadPopulation(JsonReader& reader, const JsonValue& run,
                     const Digest& digest, const Experiment& experiment,
                     PopulationSummary& population) {
@@ -177,12 +216,12 @@ void ReadPopulation(JsonReader& reader, const JsonValue& run,
           });
       });
   });
-  if (!reader.Has(run, "plastic")) return;
-  With(reader, run, "plastic", [&](const JsonValue& shares) {
-    const std::vector<double> body = generations.Read(shares, "body");
-    const std::vector<double> brain = generations.Read(shares, "brain");
-    for (std::size_t i = 0; i < body.size(); ++i)
-      population.plastic.push_back({body[i], brain[i]});
+  With(reader, run, "census", [&](const JsonValue& census) {
+    population.censuses = ReadCensuses(reader, census, generations);
+  });
+  reader.List(run, "servo_errors", [&](const JsonValue& one) {
+    population.errors.push_back({ReadOptional(reader, one, "median"),
+                                 ReadOptional(reader, one, "worst")});
   });
 }
 
@@ -219,9 +258,10 @@ std::optional<StudyRun> ReadPlace(JsonReader& reader, const JsonValue& value,
 }
 
 void ReadKept(JsonReader& reader, const JsonValue& value, Digest& digest) {
-  static constexpr std::array<std::string_view, 11> kKnown{
-      "experiment",  "repetition",  "seed",   "command", "versions", "work",
-      "evaluations", "generations", "series", "plastic", "best"};
+  static constexpr std::array<std::string_view, 12> kKnown{
+      "experiment", "repetition", "seed",         "command",
+      "versions",   "work",       "evaluations",  "generations",
+      "series",     "census",     "servo_errors", "best"};
   if (!reader.IsObject(value, kKnown)) return;
   const std::optional<StudyRun> place = ReadPlace(reader, value, digest.study);
   if (!place) return;

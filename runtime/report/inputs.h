@@ -35,7 +35,7 @@ struct ReportInputs {
 
 /// Paths are folders of studies, folders of one of their experiments, folders
 /// of runs (*.sqlite), runs, and digests of studies. A run that several of them
-/// name is there once.
+/// name is there once, and files of relived lives are left out.
 Expected<ReportInputs, Failure> FindRuns(const std::vector<std::string>& paths);
 
 }  // namespace plsc
