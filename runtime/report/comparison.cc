@@ -132,7 +132,7 @@ std::vector<CensusCurves> CensusCurvesOf(const StudyReport& report,
               // A digest has not all of them.
               values.push_back(
                   of[generation].genotypes == 0
-                      ? kNone
+                      ? std::numeric_limits<double>::quiet_NaN()
                       : part.of(of[generation], one.experiment.population));
             }
             return values;

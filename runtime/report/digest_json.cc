@@ -14,6 +14,7 @@
 
 #include "grammar/number.h"
 #include "runtime/report/digest.h"
+#include "runtime/report/rounded_json.h"
 #include "runtime/store/schema.h"
 #include "runtime/text/json_dump.h"
 #include "runtime/text/json_reader.h"
@@ -29,11 +30,6 @@ constexpr int kDigestVersion = 1;
 constexpr double kNotKept = std::numeric_limits<double>::quiet_NaN();
 constexpr std::int64_t kMost = std::numeric_limits<std::int64_t>::max();
 
-Json Rounded(double value) {
-  if (!std::isfinite(value)) return nullptr;
-  return *ParseNumber<double>(PrintRoundedNumber(value, 6));
-}
-
 std::vector<int> KeptOf(int generations, int every) {
   std::vector<int> kept;
   for (int generation = 0; generation < generations; ++generation)
@@ -45,7 +41,7 @@ Json NumbersJson(const std::vector<double>& values,
                  const std::vector<int>& kept) {
   Json json = Json::array();
   for (const int generation : kept)
-    json.push_back(Rounded(values[static_cast<std::size_t>(generation)]));
+    json.push_back(RoundedNumber(values[static_cast<std::size_t>(generation)]));
   return json;
 }
 
@@ -81,8 +77,8 @@ Json KeptCensuses(const std::vector<CensusCounts>& censuses,
 Json KeptErrors(const std::vector<SeasonErrors>& errors) {
   Json json = Json::array();
   for (const SeasonErrors& one : errors)
-    json.push_back(
-        {{"median", Rounded(one.median)}, {"worst", Rounded(one.worst)}});
+    json.push_back({{"median", RoundedNumber(one.median)},
+                    {"worst", RoundedNumber(one.worst)}});
   return json;
 }
 
@@ -97,7 +93,7 @@ Json KeptVersions(const Versions& versions) {
 Json KeptWork(const WorkDone& work) {
   return {{"first", work.first},
           {"last", work.last},
-          {"cpu_seconds", Rounded(work.cpu_seconds)},
+          {"cpu_seconds", RoundedNumber(work.cpu_seconds)},
           {"simulated", work.simulated},
           {"looked_up", work.looked_up}};
 }
@@ -172,8 +168,7 @@ Series ReadSeries(JsonReader& reader, const JsonValue& value,
   return series;
 }
 
-std::vector<CensusCounts> ReadCensuses(JsonReader& reader,
-                                       const JsonValue& value,
+std::vector<CensusCounts> ReadCensuses(const JsonValue& value,
                                        GenerationsReader& generations) {
   std::vector<std::vector<double>> columns;
   for (const std::string& name : CensusColumns())
@@ -217,7 +212,7 @@ void ReadPopulation(JsonReader& reader, const JsonValue& run,
       });
   });
   With(reader, run, "census", [&](const JsonValue& census) {
-    population.censuses = ReadCensuses(reader, census, generations);
+    population.censuses = ReadCensuses(census, generations);
   });
   reader.List(run, "servo_errors", [&](const JsonValue& one) {
     population.errors.push_back({ReadOptional(reader, one, "median"),

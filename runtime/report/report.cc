@@ -150,9 +150,9 @@ StudyReport BuildReport(const ReportInputs& inputs,
 void AddRelived(StudyReport& report) {
   for (ReportRun& run : report.runs)
     if (report.generation >= 0 &&
-        report.generation < run.reading.population.generations)
-      if (run.input.digest == nullptr)
-        run.relived = ReadRelived(run.input.path, report.generation);
+        report.generation < run.reading.population.generations &&
+        run.input.digest == nullptr)
+      run.relived = ReadRelived(run.input.path, report.generation);
 }
 
 }  // namespace plsc

@@ -24,7 +24,8 @@ constexpr int kEvery = 10;
 std::optional<Digest> Begun(const StudyDigestCommand& command,
                             const Study& study, Io& io) {
   std::error_code error;
-  if (command.force || !std::filesystem::exists(command.output, error))
+  // A pipe or a device has nothing to add to, and to read it may never end.
+  if (command.force || !std::filesystem::is_regular_file(command.output, error))
     return Digest{study, {}, kEvery, {}};
   const std::optional<Source> source = ReadOrReport(command.output, io);
   if (!source) return std::nullopt;
