@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <system_error>
 #include <utility>
 
@@ -73,6 +75,14 @@ Inputs RunsInFolder(const std::string& folder) {
   return inputs;
 }
 
+/// "paper.json:7:13: expected a number for 'cpu_seconds', found null"
+std::string FirstErrorOf(const std::vector<Diagnostic>& errors,
+                         const Source& source) {
+  const Position place = source.PositionOf(errors.front().span.begin);
+  return fmt::format("{}:{}:{}: {}", source.name(), place.line, place.column,
+                     errors.front().message);
+}
+
 bool HasStudy(const fs::path& folder) {
   std::error_code error;
   return fs::exists(folder / kStudyFile, error);
@@ -96,6 +106,37 @@ Inputs RunOfFile(const std::string& path) {
   return ReportInputs{name, {{path, name, "", {}}}};
 }
 
+/// The text of a digest; nothing if the file is something else.
+std::optional<std::string> DigestText(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::string begin(kDigestMark.size(), '\0');
+  if (!file.read(begin.data(), static_cast<std::streamsize>(begin.size())) ||
+      begin != kDigestMark)
+    return std::nullopt;
+  return begin + std::string(std::istreambuf_iterator<char>(file), {});
+}
+
+/// All runs of its study: those that it lacks are missing.
+Inputs RunsOfDigest(const std::string& path, std::string text) {
+  const Source source(path, std::move(text));
+  Result<Digest> parsed = ParseDigest(source);
+  if (!parsed) return Failure(FirstErrorOf(parsed.diagnostics(), source));
+  const auto digest = std::make_shared<const Digest>(std::move(*parsed));
+  const Study& study = digest->study;
+  ReportInputs inputs;
+  inputs.title =
+      study.name.empty() ? fs::path(path).filename().string() : study.name;
+  auto next = digest->runs.begin();
+  for (const StudyRun& run : RunsOf(study)) {
+    ReportInput& input = inputs.runs.emplace_back(
+        ReportInput{path + "#" + RunName(study, run), RunName(study, run),
+                    study.experiments[run.experiment].name,
+                    ExperimentOf(study, run), digest});
+    if (next != digest->runs.end() && next->run == run) input.kept = &*next++;
+  }
+  return inputs;
+}
+
 Inputs RunsAt(const std::string& path) {
   std::error_code error;
   if (!fs::exists(path, error))
@@ -107,6 +148,8 @@ Inputs RunsAt(const std::string& path) {
       return Failure(fmt::format(
           "'{}' is no run; name the folder that 'plsc study run' filled",
           path));
+    if (std::optional<std::string> text = DigestText(path))
+      return RunsOfDigest(path, std::move(*text));
     return RunOfFile(path);
   }
   const fs::path folder = Cleaned(path);

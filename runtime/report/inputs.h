@@ -1,8 +1,10 @@
 #pragma once
 
 // Which runs a report is of: the folders and files that a user names, each
-// with the experiment that it repeats.
+// with the experiment that it repeats. Stores are read later; the runs of a
+// digest, which is one file, are read here.
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,6 +12,7 @@
 #include "grammar/expected.h"
 #include "grammar/failure.h"
 #include "runtime/evolve/experiment.h"
+#include "runtime/report/digest.h"
 
 namespace plsc {
 
@@ -20,6 +23,9 @@ struct ReportInput {
   /// differ in names and seeds only.
   std::string experiment;
   std::optional<Experiment> expected;  ///< the study's
+  /// Of a digest, whose runs have no store; nothing if it lacks the run.
+  std::shared_ptr<const Digest> digest = nullptr;
+  const DigestRun* kept = nullptr;  ///< in the digest
 };
 
 struct ReportInputs {
@@ -28,8 +34,8 @@ struct ReportInputs {
 };
 
 /// Paths are folders of studies, folders of one of their experiments, folders
-/// of runs (*.sqlite), and runs. A run that several of them name is there once,
-/// and files of relived lives are left out.
+/// of runs (*.sqlite), runs, and digests of studies. A run that several of them
+/// name is there once, and files of relived lives are left out.
 Expected<ReportInputs, Failure> FindRuns(const std::vector<std::string>& paths);
 
 }  // namespace plsc

@@ -46,7 +46,9 @@ struct StudyReport {
   /// That experiments are compared at: the last one that a run of every
   /// experiment which has begun has completed; -1 if there is none.
   int generation = -1;
-  bool is_single = false;    ///< one run: curves are of its population
+  bool is_single = false;  ///< one run: curves are of its population
+  /// Some runs are of a digest: there are numbers of some generations only.
+  bool is_thinned = false;
   bool is_verified = false;  ///< every row was compared with its checksum
   /// That makes relived lives of all runs; empty: not known.
   std::string relive_command;

@@ -382,6 +382,7 @@ std::string ReportJson(const StudyReport& report, const ReportMade& made) {
   json["made"] = {{"by", made.by}, {"at", made.at}};
   json["single"] = report.is_single;
   json["verified"] = report.is_verified;
+  json["thinned"] = report.is_thinned;
   json["generation"] =
       report.generation < 0 ? Json(nullptr) : Json(report.generation);
   json["seasons"] = report.seasons;

@@ -11,7 +11,7 @@ void Add(Options& options, ReportCommand& command) {
   options
       .Add("STUDY|RUN", command.paths,
            "folders of studies, of one experiment of a study, or of "
-           "runs; runs")
+           "runs; runs; digests of studies")
       .ValueName("STUDY|RUN...")
       .Required();
   options
