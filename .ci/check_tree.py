@@ -23,6 +23,7 @@ ARROWS = {
     "sim/articulated": "sim sim/maths",
     "runtime/text": "compiler/changes grammar",
     "runtime/workers": "",
+    "runtime/server": "grammar",
     "runtime/authors": "compiler grammar",
     "runtime/develop": "runtime/text compiler grammar sim sim/maths",
     "runtime/scenario": "runtime/text compiler grammar sim",
@@ -46,9 +47,10 @@ ARROWS = {
     "runtime/cli/files": "runtime/cli/diagnostics *",
     "runtime/cli/arguments": "runtime/cli/files *",
     "runtime/cli/running": "runtime/cli/files *",
+    "runtime/cli/live": "runtime/cli/files *",
     "runtime/cli/robots": "runtime/cli/running runtime/cli/files *",
     "runtime/cli/testing": "runtime/cli/files *",
-    "runtime/cli/commands": "runtime/cli/explanations runtime/cli/diagnostics runtime/cli/files runtime/cli/arguments runtime/cli/running runtime/cli/robots runtime/cli/testing *",
+    "runtime/cli/commands": "runtime/cli/explanations runtime/cli/diagnostics runtime/cli/files runtime/cli/arguments runtime/cli/running runtime/cli/live runtime/cli/robots runtime/cli/testing *",
     "runtime/cli": "runtime/cli/arguments runtime/cli/files *",
 }
 # Library -> where its headers may be included.
@@ -61,6 +63,7 @@ DOORS = {
     r"sqlite3\.h": r"runtime/store/database\.cc",
     r"xxhash\.h": r"runtime/text/key\.cc",
     r"(librsvg/|cairo\.h|glib)": r"runtime/cli/files/png\.cc",
+    r"boost/": r"runtime/server/http_server\.cc",
     r"mpi\.h": r"runtime/workers/mpi_[a-z_]*\.cc",
     r"charconv": r"grammar/number\.cc",
 }
