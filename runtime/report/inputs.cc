@@ -35,17 +35,28 @@ std::string NameOf(const fs::path& folder) {
   return Cleaned(Canonical(folder.string())).filename().string();
 }
 
+StudyClaims ClaimsOf(const std::string& folder, const std::string& title) {
+  StudyClaims claims{title, folder, {}, ""};
+  if (auto record = ClaimsIn(folder))
+    claims.record = std::move(*record);
+  else
+    claims.problem = record.error().text;
+  return claims;
+}
+
 /// The runs of a study, or of one of its experiments.
 Inputs RunsOfStudy(const std::string& folder, const std::string& only) {
   const Expected<Study, Failure> study = StudyIn(folder);
   if (!study) return study.error();
   ReportInputs inputs;
   inputs.title = study->name.empty() ? NameOf(folder) : study->name;
+  if (only.empty()) inputs.claims.push_back(ClaimsOf(folder, inputs.title));
   for (const StudyRun& run : RunsOf(*study)) {
     const std::string& experiment = study->experiments[run.experiment].name;
     if (!only.empty() && experiment != only) continue;
     inputs.runs.push_back({RunPath(folder, *study, run), RunName(*study, run),
                            experiment, ExperimentOf(*study, run)});
+    if (only.empty()) inputs.runs.back().study = 0;
   }
   return inputs;
 }
@@ -127,7 +138,11 @@ Inputs FindRuns(const std::vector<std::string>& paths) {
     Inputs found = RunsAt(path);
     if (!found) return found;
     all.title += (all.title.empty() ? "" : ", ") + found->title;
+    const std::size_t studies = all.claims.size();
+    for (StudyClaims& claims : found->claims)
+      all.claims.push_back(std::move(claims));
     for (ReportInput& run : found->runs) {
+      if (run.study) *run.study += studies;
       std::string canonical = Canonical(run.path);
       if (std::find(seen.begin(), seen.end(), canonical) != seen.end())
         continue;

@@ -10,6 +10,7 @@
 #include "grammar/expected.h"
 #include "grammar/failure.h"
 #include "runtime/evolve/experiment.h"
+#include "runtime/study/claims_record.h"
 
 namespace plsc {
 
@@ -20,11 +21,22 @@ struct ReportInput {
   /// differ in names and seeds only.
   std::string experiment;
   std::optional<Experiment> expected;  ///< the study's
+  /// Index into ReportInputs::claims, if the whole study was named.
+  std::optional<std::size_t> study{};
+};
+
+/// What a study that was named claims.
+struct StudyClaims {
+  std::string study;   ///< its title
+  std::string folder;  ///< as it was named
+  ClaimsRecord record;
+  std::string problem;  ///< why the record cannot be read
 };
 
 struct ReportInputs {
   std::string title;  ///< the study's name, or that of the only path
   std::vector<ReportInput> runs;
+  std::vector<StudyClaims> claims;
 };
 
 /// Paths are folders of studies, folders of one of their experiments, folders

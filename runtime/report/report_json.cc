@@ -9,6 +9,7 @@
 
 #include "grammar/number.h"
 #include "runtime/develop/environment_json.h"
+#include "runtime/report/claims_json.h"
 #include "runtime/report/comparison.h"
 #include "runtime/report/experiment_difference.h"
 #include "runtime/scenario/scenario_terrain.h"
@@ -356,6 +357,8 @@ std::string ReportJson(const StudyReport& report, const ReportMade& made) {
   json["generation"] =
       report.generation < 0 ? Json(nullptr) : Json(report.generation);
   json["seasons"] = report.seasons;
+  json["claims"] = ClaimsJson(report, ClaimResultsOf(report));
+  json["claims_stated"] = ClaimsStatedJson(report);
   json["measures"] = MeasuresJson(report);
   json["experiments"] = ListJson(
       report.experiments,

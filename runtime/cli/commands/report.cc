@@ -12,6 +12,7 @@
 #include "runtime/cli/running/relive.h"
 #include "runtime/cli/running/utc_now.h"
 #include "runtime/pages/page.h"
+#include "runtime/report/claims_text.h"
 #include "runtime/report/report_json.h"
 #include "runtime/text/version.h"
 
@@ -67,7 +68,7 @@ std::string Summary(const StudyReport& report) {
 /// Runs by whether there is something to show of them.
 struct ReportedRuns {
   int readable = 0;
-  int damaged = 0;
+  int damaged = 0;  ///< records of claims, too
 };
 
 /// Says what is wrong with runs.
@@ -80,6 +81,11 @@ ReportedRuns ReportProblems(const StudyReport& report, Io& io) {
     } else if (run.reading.state != RunState::kMissing) {
       ++reported.readable;
     }
+  }
+  for (const StudyClaims& study : report.claims) {
+    if (study.problem.empty()) continue;
+    ++reported.damaged;
+    io.err << fmt::format("error: {}\n", Escaped(study.problem));
   }
   return reported;
 }
@@ -117,15 +123,25 @@ Output OutputOf(const ReportCommand& command) {
           command.force, command.paths};
 }
 
+std::string TextOf(const ReportCommand& command, const StudyReport& report,
+                   const std::vector<ClaimResult>& claims) {
+  if (command.format == ReportFormat::kText) return ClaimsText(report, claims);
+  const std::string json = ReportJson(report, MadeNow());
+  return command.format == ReportFormat::kHtml
+             ? PageHtml(PageKind::kReport, report.title, json)
+             : json + '\n';
+}
+
 Exit Write(const ReportCommand& command, const StudyReport& report, Io& io) {
-  std::string text = ReportJson(report, MadeNow());
-  if (command.format == ReportFormat::kHtml)
-    text = PageHtml(PageKind::kReport, report.title, text);
-  else
-    text += '\n';
+  const std::vector<ClaimResult> claims = ClaimResultsOf(report);
+  if (command.format == ReportFormat::kText && claims.empty())
+    return Complain("no whole study that was named claims anything", io);
+  const std::string text = TextOf(command, report, claims);
   if (!WriteOutput(OutputOf(command), text, io)) return Exit::kBadInput;
   if (!command.quiet && !command.output.empty() && command.output != "-")
-    io.out << fmt::format("{}: {}\n", Escaped(command.output), Summary(report));
+    io.out << fmt::format("{}: {}{}\n", Escaped(command.output),
+                          Summary(report),
+                          claims.empty() ? "" : "; " + ClaimsSummary(claims));
   return Exit::kFine;
 }
 

@@ -1,0 +1,33 @@
+#pragma once
+
+// The claims of a report's studies, with what became of them.
+
+#include <string>
+#include <vector>
+
+#include "runtime/report/claim_finding.h"
+#include "runtime/report/report.h"
+
+namespace plsc {
+
+struct ClaimResult {
+  std::size_t study = 0;  ///< index into StudyReport::claims
+  StatedClaim stated;
+  std::vector<std::size_t> planned;  ///< runs, of what is compared
+  /// Not all of these have completed all of their generations: a look ahead.
+  bool is_early = false;
+  std::size_t family = 1;  ///< tests that are corrected together
+  ClaimFinding recorded;
+};
+
+/// In the order of studies; of each as StatedClaims has them. A claim that was
+/// withdrawn is told, and counts in its family, nevertheless.
+std::vector<ClaimResult> ClaimResultsOf(const StudyReport& report);
+
+/// "17 claims: 9 hold, 2 are opposite, 6 not shown"; empty without any.
+std::string ClaimsSummary(const std::vector<ClaimResult>& results);
+
+/// "plastic > baseline, flat", "flat: plastic 3.63 cm/s"...
+std::string WhatIsClaimed(const Claim& claim);
+
+}  // namespace plsc
