@@ -8,9 +8,12 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
+#include <numbers>
 
 #include "sim/assembly.h"
+#include "sim/disturbance.h"
 #include "sim/maths/arc.h"
 #include "sim/placement.h"
 #include "sim/schedule.h"
@@ -35,6 +38,16 @@ double FeltInclination(const Terrain& terrain, const SimulationOptions& options,
     felt = Acos(std::clamp(up, -1.0, 1.0));
   }
   return felt;
+}
+
+double FeltWith(const Disturbance& disturbance, double inclination) {
+  return std::min(std::abs(inclination + disturbance.lean), std::numbers::pi);
+}
+
+Spot FeltSpot(const Terrain& terrain, const Disturbance& disturbance) {
+  const bool is_plane = terrain.type == TerrainType::kFlat ||
+                        terrain.type == TerrainType::kTilted;
+  return is_plane ? Spot{} : Displaced({}, disturbance);
 }
 
 }  // namespace plsc

@@ -11,6 +11,7 @@
 
 namespace plsc {
 
+struct Disturbance;
 struct Spot;
 
 /// rad, 0 to pi, between the core's own up and the vertical after it settled
@@ -18,5 +19,12 @@ struct Spot;
 /// be without effect (no gravity): it stays level then.
 double FeltInclination(const Terrain& terrain, const SimulationOptions& options,
                        const ImuOptions& imu, const Spot& spot);
+
+/// rad, 0 to pi: what an erring unit tells of it.
+double FeltWith(const Disturbance& disturbance, double inclination);
+
+/// Where a core feels the ground of a life that starts at the origin: where
+/// it is put down. A plane feels alike everywhere, to the last bit.
+Spot FeltSpot(const Terrain& terrain, const Disturbance& disturbance);
 
 }  // namespace plsc

@@ -62,6 +62,15 @@ double GapToBoxes(const Eigen::Matrix3Xd& points, const Terrain& terrain) {
 
 }  // namespace
 
+Spot Displaced(const Spot& spot, const Disturbance& disturbance) {
+  // Adding zeros would make 0 of -0, which are other bits.
+  Spot place = spot;
+  if (disturbance.shift_x != 0) place.x += disturbance.shift_x;
+  if (disturbance.shift_y != 0) place.y += disturbance.shift_y;
+  if (disturbance.yaw != 0) place.heading += disturbance.yaw;
+  return place;
+}
+
 Matrix3d Heading(double angle) {
   const auto [sine, cosine] = SinCos(angle);
   Matrix3d axes;

@@ -7,6 +7,7 @@
 #include <Eigen/Core>
 
 #include "sim/assembly.h"
+#include "sim/disturbance.h"
 #include "sim/options.h"
 #include "sim/terrain.h"
 
@@ -28,7 +29,12 @@ struct Placement {
 struct Spot {
   double x = 0, y = 0;  ///< m
   double heading = 0;   ///< rad, counter-clockwise from +y (uphill)
+
+  friend bool operator==(const Spot&, const Spot&) = default;
 };
+
+/// Where a body comes to stand that is meant for the spot.
+Spot Displaced(const Spot& spot, const Disturbance& disturbance);
 
 /// The turn about the vertical by `angle`, rad.
 Eigen::Matrix3d Heading(double angle);

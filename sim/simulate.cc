@@ -18,45 +18,92 @@
 #include <cstddef>
 #include <memory>
 #include <utility>
+#include <vector>
 
 #include "sim/assembly.h"
 #include "sim/controller.h"
 #include "sim/overlap.h"
 #include "sim/recorder.h"
 #include "sim/schedule.h"
+#include "sim/servo_errors.h"
 
 namespace plsc {
 namespace {
 
-/// A controller at its own pace, and the servos it drives.
+/// A controller at its own pace, and the servos it drives; with the errors of
+/// its sensors and of its servos, if any.
 class Drive {
  public:
   Drive(const Phenotype& phenotype, const SimulationOptions& options,
-        double birth)
+        const Disturbance& disturbance, double birth)
       : controller_(phenotype, options.controller),
         schedule_(options.servo, options.physics.step),
         servo_(options.servo),
-        birth_(birth) {}
+        touch_(disturbance.touch),
+        motor_(disturbance.motor),
+        birth_(birth) {
+    const std::vector<Module>& modules = phenotype.body.modules;
+    for (std::size_t i = 0; i < modules.size(); ++i)
+      if (modules[i].type == ModuleType::kTouchSensor)
+        sensors_.push_back(static_cast<int>(i));
+      else if (IsJoint(modules[i].type))
+        asked_.push_back(0);
+    speeds_ = asked_;
+  }
 
   /// Before each step: sets the joints' speeds if an update is due.
   void Act(std::int64_t step, World& world) {
     if (world.joints() == 0) return;
     const std::optional<double> due = schedule_.Due(step);
     if (!due) return;
-    const auto& outputs = controller_.Update(birth_ + *due, world.touched());
-    for (int joint = 0; joint < world.joints(); ++joint)
-      world.SetJointSpeed(joint,
-                          ServoSpeed(outputs[static_cast<std::size_t>(joint)],
-                                     world.JointAngle(joint), servo_));
+    const auto& outputs = controller_.Update(birth_ + *due, Felt(world));
+    for (int joint = 0; joint < world.joints(); ++joint) {
+      const auto i = static_cast<std::size_t>(joint);
+      asked_[i] = ServoSpeed(Erring(outputs[i], joint), world.JointAngle(joint),
+                             servo_);
+      world.SetJointSpeed(joint, asked_[i]);
+    }
+    ++updates_;
+  }
+
+  /// After each step: how far the joints are from what was asked of them.
+  void Look(const World& world) {
+    world.TellJointSpeeds(speeds_);
+    for (std::size_t i = 0; i < speeds_.size(); ++i)
+      errors_.Add(speeds_[i] - asked_[i]);
   }
 
   Controller& controller() { return controller_; }
+  const ServoErrors& errors() const { return errors_; }
 
  private:
+  /// What the sensors tell, by Body::modules.
+  const std::vector<bool>& Felt(const World& world) {
+    if (touch_.amplitude == 0) return world.touched();
+    felt_ = world.touched();
+    for (const int sensor : sensors_)
+      if (IsFlipped(touch_, updates_, sensor))
+        felt_[static_cast<std::size_t>(sensor)].flip();
+    return felt_;
+  }
+
+  /// The output whose target is off by the servo's error.
+  double Erring(double output, int joint) const {
+    if (motor_.amplitude == 0) return output;
+    return output + TargetError(motor_, updates_, joint) / (2 * servo_.range);
+  }
+
+  std::vector<double> asked_;   ///< rad/s, by joint; braked until the first
+  std::vector<double> speeds_;  ///< likewise, after the latest step
+  ServoErrors errors_;
   Controller controller_;
   RefreshSchedule schedule_;
   ServoOptions servo_;
-  double birth_;  ///< s, of the season's start since birth
+  Noise touch_, motor_;
+  std::vector<int> sensors_;  ///< indices into Body::modules
+  std::vector<bool> felt_;    ///< kept: a step asks for no memory
+  std::int64_t updates_ = 0;  ///< since the season's start
+  double birth_;              ///< s, of the season's start since birth
 };
 
 /// Why a life cannot even begin, if so.
@@ -107,13 +154,21 @@ Trajectory StoppedAt(double time, Trajectory trajectory) {
   return trajectory;
 }
 
+Placement PutDown(const Assembly& assembly, const Terrain& terrain,
+                  const SimulationOptions& options, const Onset& onset) {
+  const Disturbance& disturbance = onset.disturbance;
+  Placement start =
+      StartOf(assembly, terrain, options, Displaced(onset.spot, disturbance));
+  start.position.z() += disturbance.lift;
+  return start;
+}
+
 std::unique_ptr<World> Enter(const Assembly& assembly, const Terrain& terrain,
                              const SimulationOptions& options,
                              const Onset& onset) {
   if (onset.carried == nullptr)
-    return std::make_unique<World>(
-        assembly, terrain, options,
-        StartOf(assembly, terrain, options, onset.spot));
+    return std::make_unique<World>(assembly, terrain, options,
+                                   PutDown(assembly, terrain, options, onset));
   auto world = std::make_unique<World>(assembly, terrain, options, Placement{});
   const LifeState& state = *onset.carried;
   assert(state.poses.size() == assembly.links.size());
@@ -140,8 +195,10 @@ LifeState StateOf(const World& world, double time,
 }  // namespace
 
 Lived Live(const Phenotype& phenotype, const Terrain& terrain,
-           const SimulationOptions& options, const Onset& onset,
+           const SimulationOptions& undisturbed, const Onset& onset,
            Watcher* watcher) {
+  SimulationOptions options = undisturbed;
+  options.physics.friction *= onset.disturbance.friction;
   assert(options.physics.step > 0 && options.sample_interval > 0 &&
          options.servo.update_rate > 0);
   const Assembly assembly = Assemble(phenotype.body);
@@ -150,7 +207,7 @@ Lived Live(const Phenotype& phenotype, const Terrain& terrain,
     return {Nothing(options, std::move(forbidden)), {}};
   const std::unique_ptr<World> world = Enter(assembly, terrain, options, onset);
   const double birth = onset.carried ? onset.carried->time : onset.time;
-  Drive drive(phenotype, options, birth);
+  Drive drive(phenotype, options, onset.disturbance, birth);
   if (onset.carried) drive.controller().Remember(onset.carried->memory);
   const auto samples = SampleSteps(options);
   Recorder recorder(*world, static_cast<Eigen::Index>(samples.size()),
@@ -168,6 +225,7 @@ Lived Live(const Phenotype& phenotype, const Terrain& terrain,
     for (; step < due; ++step) {
       drive.Act(step, *world);
       if (!world->Step()) return {recorder.Finish(*world, step + 1), {}};
+      drive.Look(*world);
       if (is_stopped(step + 1))
         return {StoppedAt(time(step + 1) - birth,
                           recorder.Finish(*world, step + 1)),
@@ -175,7 +233,10 @@ Lived Live(const Phenotype& phenotype, const Terrain& terrain,
     }
     recorder.Sample(*world, time(step));
   }
-  return {recorder.Finish(*world, step),
+  Trajectory trajectory = recorder.Finish(*world, step);
+  trajectory.servo_error_median = drive.errors().Median();
+  trajectory.servo_error_worst = drive.errors().worst();
+  return {std::move(trajectory),
           StateOf(*world, time(step), drive.controller())};
 }
 

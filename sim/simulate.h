@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "sim/disturbance.h"
 #include "sim/options.h"
 #include "sim/phenotype.h"
 #include "sim/placement.h"
@@ -31,6 +32,7 @@ struct Onset {
   /// `time` are its own. Of a life with the same phenotype, on the same
   /// ground (sim/passage takes it from another).
   const LifeState* carried = nullptr;
+  Disturbance disturbance = {};
 };
 
 struct Lived {
@@ -45,7 +47,7 @@ struct Lived {
 /// (kTooLarge), and a life of no step or too many (kOutOfSteps). The watcher,
 /// if any, sees every step and may end the life (kStopped).
 Lived Live(const Phenotype& phenotype, const Terrain& terrain,
-           const SimulationOptions& options, const Onset& onset,
+           const SimulationOptions& undisturbed, const Onset& onset,
            Watcher* watcher = nullptr);
 
 /// From a fresh start at the origin.

@@ -66,6 +66,11 @@ double World::JointAngle(int joint) const {
   return engine_->JointAngle(joint);
 }
 
+void World::TellJointSpeeds(std::vector<double>& speeds) const {
+  assert(speeds.size() == static_cast<std::size_t>(joints()));
+  engine_->TellJointSpeeds(speeds);
+}
+
 int World::links() const {
   return static_cast<int>(links_.size());
 }

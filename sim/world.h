@@ -50,6 +50,8 @@ class World {
 
   int joints() const;
   double JointAngle(int joint) const;  ///< rad
+  /// rad/s, by joint, after the latest step; `speeds` has a place for each.
+  void TellJointSpeeds(std::vector<double>& speeds) const;
   int links() const;
   LinkPose PoseOf(int link) const;
   LinkMotion MotionOf(int link) const;

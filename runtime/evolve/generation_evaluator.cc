@@ -74,7 +74,7 @@ void GenerationEvaluator::Plan(std::size_t robot) {
   const Individual& one = (*robots_)[robot];
   lives_[robot].seasons.resize(planner_.scenario().seasons.size());
   std::vector<LifePiece> pieces =
-      planner_.Plan(one.genotype, one.heritage.senses);
+      planner_.Plan(one.genotype, one.heritage.senses, one.disturbances);
   lives_[robot].pieces = pieces.size();
   if (pieces.empty()) known_.push_back(robot);
   for (LifePiece& piece : pieces) Take(robot, std::move(piece));
@@ -96,8 +96,9 @@ void GenerationEvaluator::Take(std::size_t robot, LifePiece piece) {
     Fill(place, *known);
   } else {
     const Individual& one = (*robots_)[robot];
-    workers_.Submit(static_cast<int>(orders_.size()),
-                    RequestFor(one.genotype, one.heritage.senses, piece));
+    workers_.Submit(
+        static_cast<int>(orders_.size()),
+        RequestFor(one.genotype, one.heritage.senses, piece, one.disturbances));
     tickets_[piece.keys] = orders_.size();
     orders_.push_back({std::move(piece), {place}, {}});
   }
@@ -165,8 +166,9 @@ std::vector<EvaluatedRobot> GenerationEvaluator::Wait(int timeout_ms) {
   for (; !known_.empty(); known_.pop_front(), --outstanding_) {
     const std::size_t i = known_.front();
     const Individual& one = (*robots_)[i];
-    evaluated.push_back({i, planner_.Assemble(one.genotype, one.heritage.senses,
-                                              lives_[i].seasons)});
+    evaluated.push_back(
+        {i, planner_.Assemble(one.genotype, one.heritage.senses,
+                              lives_[i].seasons, one.disturbances)});
     lives_[i] = {};
   }
   return evaluated;

@@ -10,6 +10,7 @@
 
 #include "compiler/genotype.h"
 #include "runtime/evolve/consolidate.h"
+#include "runtime/life/disturbances.h"
 #include "runtime/life/season_result.h"
 #include "runtime/vary/mutate.h"
 
@@ -32,6 +33,8 @@ struct Individual {
   int generation = 0;  ///< of birth, 0 the initial population
   Heritage heritage;
   Genotype genotype;  ///< its name ends in its id
+  /// What happens to it in its life that does not happen to all.
+  Disturbances disturbances;
   Evaluation evaluation;
 };
 

@@ -61,13 +61,19 @@ double LongestSeason(const Scenario& scenario, const Season& season) {
 
 }  // namespace
 
-// Lines: the first season, how many, how many senses, each sense's name and
-// value on lines of their own (neither has a line's end in it); then the
-// genotype.
+// Lines: the first season, how many, how many disturbances, each on a line of
+// its own, how many senses, each sense's name and value on lines of their own
+// (neither has a line's end in it); then the genotype.
 std::string RequestFor(const Genotype& genotype, const Senses& inherited,
-                       const LifePiece& piece) {
+                       const LifePiece& piece,
+                       const Disturbances& disturbances) {
   std::string text = fmt::format("{}\n{}\n{}\n", piece.first, piece.keys.size(),
-                                 inherited.size());
+                                 disturbances.size());
+  for (const Disturbance& disturbance : disturbances) {
+    const std::string line = DisturbanceText(disturbance);
+    text += line.empty() ? "\n" : line;
+  }
+  text += fmt::format("{}\n", inherited.size());
   for (const auto& [name, value] : inherited)
     text += fmt::format("{}\n{}\n", name, value);
   return text + Print(genotype);
@@ -79,6 +85,9 @@ Work WorkOf(LifePlanner planner) {
     LifePiece piece;
     piece.first = TakeNumber(rest);
     piece.keys.resize(TakeNumber(rest));
+    Disturbances disturbances(TakeNumber(rest));
+    for (Disturbance& disturbance : disturbances)
+      disturbance = ReadDisturbance(TakeLine(rest));
     Senses inherited;
     for (std::size_t left = TakeNumber(rest); left > 0; --left) {
       const std::string name(TakeLine(rest));
@@ -88,7 +97,8 @@ Work WorkOf(LifePlanner planner) {
         Compile(Source("<worker>", std::string(rest)));
     // Every genotype prints as text that compiles to an equal one.
     assert(program);
-    return PackSimulated(planner.Simulate(program->genotype, inherited, piece));
+    return PackSimulated(
+        planner.Simulate(program->genotype, inherited, piece, disturbances));
   };
 }
 

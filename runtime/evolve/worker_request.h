@@ -16,7 +16,8 @@ namespace plsc {
 
 /// What a worker is asked to simulate.
 std::string RequestFor(const Genotype& genotype, const Senses& inherited,
-                       const LifePiece& piece);
+                       const LifePiece& piece,
+                       const Disturbances& disturbances = {});
 
 /// What workers do with requests for the planner's scenario.
 Work WorkOf(LifePlanner planner);

@@ -4,9 +4,11 @@
 
 namespace plsc {
 
-Evaluation Evaluate(const Genotype& genotype, const Scenario& scenario) {
+Evaluation Evaluate(const Genotype& genotype, const Scenario& scenario,
+                    const Disturbances& disturbances) {
   Evaluation evaluation;
-  for (Life life(genotype, scenario); !life.is_over();)
+  for (Life life(genotype, scenario, nullptr, {}, disturbances);
+       !life.is_over();)
     evaluation.seasons.push_back(life.Next().result);
   return evaluation;
 }

@@ -35,10 +35,11 @@ Simulated MeasureSeason(const Trajectory& trajectory, MeasuredPoint point,
 }
 
 Life::Life(const Genotype& genotype, const Scenario& scenario, Watcher* watcher,
-           Senses inherited)
+           Senses inherited, Disturbances disturbances)
     : genotype_(genotype),
       scenario_(scenario),
       inherited_(std::move(inherited)),
+      disturbances_(std::move(disturbances)),
       watcher_(watcher),
       seasons_(std::make_unique<SeasonDeveloper>(genotype_, scenario_,
                                                  inherited_)) {}
@@ -60,6 +61,7 @@ Lived Life::LiveIn(const Season& season, const SimulationOptions& options,
     onset.carried = &state_;
   else if (LivesOn())
     onset = {state_.time, spot, nullptr};
+  onset.disturbance = DisturbanceIn(disturbances_, next_);
   return Live(robot, season.terrain, options, onset, watcher_);
 }
 
@@ -86,8 +88,12 @@ SeasonLife Life::Next() {
     spot = SpotOf(state_.core);
   }
   std::optional<double> inclination;
-  if (seasons_->AsksImu())
-    inclination = FeltInclination(season.terrain, options, scenario_.imu, spot);
+  if (seasons_->AsksImu()) {
+    const Disturbance disturbance = DisturbanceIn(disturbances_, next_);
+    if (!LivesOn()) spot = FeltSpot(season.terrain, disturbance);
+    inclination = FeltWith(disturbance, FeltInclination(season.terrain, options,
+                                                        scenario_.imu, spot));
+  }
   DevelopedSeason developed = seasons_->Next(begin, inclination);
   if (!developed.robot) {
     ended_ = fmt::format("no robot developed for season '{}'", season.name);

@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 
+#include "runtime/life/disturbances.h"
 #include "runtime/life/season_result.h"
 #include "runtime/life/simulated.h"
 #include "runtime/scenario/scenario.h"
@@ -33,7 +34,8 @@ class Life {
  public:
   /// The watcher, if any, must outlive it. `inherited`: see SeasonDeveloper.
   Life(const Genotype& genotype, const Scenario& scenario,
-       Watcher* watcher = nullptr, Senses inherited = {});
+       Watcher* watcher = nullptr, Senses inherited = {},
+       Disturbances disturbances = {});
   ~Life();
   Life(const Life&) = delete;
   Life& operator=(const Life&) = delete;
@@ -50,6 +52,7 @@ class Life {
   const Genotype genotype_;
   const Scenario scenario_;
   const Senses inherited_;
+  const Disturbances disturbances_;
   Watcher* watcher_ = nullptr;
   std::unique_ptr<SeasonDeveloper> seasons_;
   std::size_t next_ = 0;

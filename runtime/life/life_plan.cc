@@ -127,53 +127,81 @@ LifePlanner::LifePlanner(Scenario scenario, SeasonSimulator simulate)
 }
 
 Key LifePlanner::KeyOfSeason(std::size_t season, bool asks_imu,
-                             const Key& robot) const {
+                             const Key& robot,
+                             const Disturbance& disturbance) const {
   return KeyOf(season_texts_[season] + ResultsText() +
-               (asks_imu ? "felt\n" : "told\n") + Hex(robot));
+               (asks_imu ? "felt\n" : "told\n") + Hex(robot) +
+               DisturbanceText(disturbance));
 }
 
-std::vector<LifePiece> LifePlanner::PlanSeasons(const Genotype& genotype,
-                                                const Senses& inherited) const {
+std::optional<double> LifePlanner::FeltIn(
+    std::size_t season, const Disturbances& disturbances) const {
+  if (!inclinations_[season] || disturbances.empty())
+    return inclinations_[season];
+  const Disturbance& disturbance = disturbances[season];
+  const Season& lived = scenario_.seasons[season];
+  const Spot spot = FeltSpot(lived.terrain, disturbance);
+  const double felt =
+      spot == Spot{}
+          ? *inclinations_[season]
+          : FeltInclination(lived.terrain, OptionsFor(scenario_, lived),
+                            scenario_.imu, spot);
+  return FeltWith(disturbance, felt);
+}
+
+std::vector<LifePiece> LifePlanner::PlanSeasons(
+    const Genotype& genotype, const Senses& inherited,
+    const Disturbances& disturbances) const {
   std::vector<LifePiece> pieces;
   SeasonDeveloper seasons(genotype, scenario_, inherited);
   for (std::size_t i = 0; !seasons.is_over(); ++i) {
     const bool asks_imu = seasons.AsksImu();
     const DevelopedSeason developed =
-        seasons.Next(0, asks_imu ? inclinations_[i] : std::nullopt);
+        seasons.Next(0, asks_imu ? FeltIn(i, disturbances) : std::nullopt);
     if (developed.robot)
-      pieces.push_back(
-          {i, {KeyOfSeason(i, asks_imu, RobotKey(*developed.robot))}});
+      pieces.push_back({i,
+                        {KeyOfSeason(i, asks_imu, RobotKey(*developed.robot),
+                                     DisturbanceIn(disturbances, i))}});
   }
   return pieces;
 }
 
 // Where a robot is when a season begins is known only when it has lived until
 // then, and so is what it feels there.
-std::vector<LifePiece> LifePlanner::PlanWhole(const Genotype& genotype,
-                                              const Senses& inherited) const {
+std::vector<LifePiece> LifePlanner::PlanWhole(
+    const Genotype& genotype, const Senses& inherited,
+    const Disturbances& disturbances) const {
   Scenario nameless = scenario_;
   nameless.name.clear();
   nameless.profile = Profile::kPaper;
-  const std::string text = PrintScenario(nameless) + ResultsText() +
-                           PossibleRobots(genotype, scenario_, inherited);
+  std::string text = PrintScenario(nameless) + ResultsText() +
+                     PossibleRobots(genotype, scenario_, inherited);
+  for (std::size_t i = 0; i < disturbances.size(); ++i)
+    if (disturbances[i] != Disturbance{})
+      text += fmt::format("\n{} {}", i, DisturbanceText(disturbances[i]));
   LifePiece piece;
   for (std::size_t i = 0; i < scenario_.seasons.size(); ++i)
     piece.keys.push_back(KeyOf(text + std::to_string(i)));
   return {piece};
 }
 
-std::vector<LifePiece> LifePlanner::Plan(const Genotype& genotype,
-                                         const Senses& inherited) const {
-  return IsContinuous(scenario_) ? PlanWhole(genotype, inherited)
-                                 : PlanSeasons(genotype, inherited);
+std::vector<LifePiece> LifePlanner::Plan(
+    const Genotype& genotype, const Senses& inherited,
+    const Disturbances& disturbances) const {
+  assert(disturbances.empty() ||
+         disturbances.size() == scenario_.seasons.size());
+  return IsContinuous(scenario_)
+             ? PlanWhole(genotype, inherited, disturbances)
+             : PlanSeasons(genotype, inherited, disturbances);
 }
 
-std::vector<Simulated> LifePlanner::Simulate(const Genotype& genotype,
-                                             const Senses& inherited,
-                                             const LifePiece& piece) const {
+std::vector<Simulated> LifePlanner::Simulate(
+    const Genotype& genotype, const Senses& inherited, const LifePiece& piece,
+    const Disturbances& disturbances) const {
   std::vector<Simulated> simulated;
   if (IsContinuous(scenario_)) {
-    for (Life life(genotype, scenario_, nullptr, inherited); !life.is_over();)
+    for (Life life(genotype, scenario_, nullptr, inherited, disturbances);
+         !life.is_over();)
       simulated.push_back(SimulatedOf(life.Next().result));
     return simulated;
   }
@@ -182,16 +210,19 @@ std::vector<Simulated> LifePlanner::Simulate(const Genotype& genotype,
   // From the first season on: whether a robot grows anew or keeps the body of
   // its birth is known to the developer of all seasons before.
   for (std::size_t i = 0; i <= piece.first; ++i)
-    developed =
-        seasons.Next(0, seasons.AsksImu() ? inclinations_[i] : std::nullopt);
+    developed = seasons.Next(
+        0, seasons.AsksImu() ? FeltIn(i, disturbances) : std::nullopt);
   assert(developed.robot);
   const Season& season = scenario_.seasons[piece.first];
-  Simulated one =
-      simulate_ ? simulate_(*developed.robot, season)
-                : MeasureSeason(plsc::Simulate(*developed.robot, season.terrain,
-                                               OptionsFor(scenario_, season)),
-                                scenario_.measured,
-                                developed.result.body.absolute_size);
+  Onset onset;
+  onset.disturbance = DisturbanceIn(disturbances, piece.first);
+  Simulated one = simulate_
+                      ? simulate_(*developed.robot, season, onset.disturbance)
+                      : MeasureSeason(Live(*developed.robot, season.terrain,
+                                           OptionsFor(scenario_, season), onset)
+                                          .trajectory,
+                                      scenario_.measured,
+                                      developed.result.body.absolute_size);
   one.inclination = developed.result.inclination;
   return {one};
 }
@@ -204,11 +235,12 @@ bool LifePlanner::IsDeveloped(const Simulated& simulated) const {
 
 EvaluatedLife LifePlanner::Assemble(
     const Genotype& genotype, const Senses& inherited,
-    const std::vector<std::optional<Simulated>>& simulated) const {
+    const std::vector<std::optional<Simulated>>& simulated,
+    const Disturbances& disturbances) const {
   assert(simulated.size() == scenario_.seasons.size());
   EvaluatedLife life;
   SeasonDeveloper seasons(genotype, scenario_, inherited);
-  std::vector<LifePiece> pieces = Plan(genotype, inherited);
+  std::vector<LifePiece> pieces = Plan(genotype, inherited, disturbances);
   for (std::size_t i = 0; i < simulated.size(); ++i) {
     SeasonEvidence evidence;
     SeasonResult result;
@@ -220,7 +252,7 @@ EvaluatedLife LifePlanner::Assemble(
       std::optional<double> felt;
       if (seasons.AsksImu())
         felt = IsContinuous(scenario_) ? simulated[i]->inclination
-                                       : inclinations_[i];
+                                       : FeltIn(i, disturbances);
       DevelopedSeason developed =
           seasons.Next(simulated[i] ? simulated[i]->begin : 0, felt);
       result = std::move(developed.result);

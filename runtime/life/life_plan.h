@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "runtime/life/disturbances.h"
 #include "runtime/life/season_result.h"
 #include "runtime/life/simulated.h"
 #include "runtime/text/key.h"
@@ -45,9 +46,11 @@ struct EvaluatedLife {
 
 /// Simulates a robot in a season from a fresh start.
 using SeasonSimulator =
-    std::function<Simulated(const Phenotype& robot, const Season& season)>;
+    std::function<Simulated(const Phenotype& robot, const Season& season,
+                            const Disturbance& disturbance)>;
 
-/// Knows one scenario, whose senses answer all genotypes it is given.
+/// Knows one scenario, whose senses answer all genotypes it is given. A life is
+/// planned, simulated and assembled with the same disturbances.
 class LifePlanner {
  public:
   /// Puts cores down where robots feel the ground, to know what they feel.
@@ -56,30 +59,38 @@ class LifePlanner {
 
   const Scenario& scenario() const { return scenario_; }
 
-  std::vector<LifePiece> Plan(const Genotype& genotype,
-                              const Senses& inherited) const;
+  std::vector<LifePiece> Plan(const Genotype& genotype, const Senses& inherited,
+                              const Disturbances& disturbances = {}) const;
   /// One piece, an item a season. What takes the time.
   std::vector<Simulated> Simulate(const Genotype& genotype,
                                   const Senses& inherited,
-                                  const LifePiece& piece) const;
+                                  const LifePiece& piece,
+                                  const Disturbances& disturbances = {}) const;
   /// `simulated`: an item a season, nothing where nothing was to simulate.
-  EvaluatedLife Assemble(
-      const Genotype& genotype, const Senses& inherited,
-      const std::vector<std::optional<Simulated>>& simulated) const;
+  EvaluatedLife Assemble(const Genotype& genotype, const Senses& inherited,
+                         const std::vector<std::optional<Simulated>>& simulated,
+                         const Disturbances& disturbances = {}) const;
 
  private:
   std::vector<LifePiece> PlanSeasons(const Genotype& genotype,
-                                     const Senses& inherited) const;
+                                     const Senses& inherited,
+                                     const Disturbances& disturbances) const;
   std::vector<LifePiece> PlanWhole(const Genotype& genotype,
-                                   const Senses& inherited) const;
+                                   const Senses& inherited,
+                                   const Disturbances& disturbances) const;
   /// Whether it is known what develops in the season.
   bool IsDeveloped(const Simulated& simulated) const;
-  Key KeyOfSeason(std::size_t season, bool asks_imu, const Key& robot) const;
+  Key KeyOfSeason(std::size_t season, bool asks_imu, const Key& robot,
+                  const Disturbance& disturbance) const;
+  /// What a robot feels in a season of an independent life; nothing if nobody
+  /// does.
+  std::optional<double> FeltIn(std::size_t season,
+                               const Disturbances& disturbances) const;
 
   Scenario scenario_;
   SeasonSimulator simulate_;
   std::vector<std::string> season_texts_;  // all of a season but its name
-  /// What robots feel in each season; nothing if they never do.
+  /// What robots feel in each season at the origin; nothing if they never do.
   std::vector<std::optional<double>> inclinations_;
 };
 

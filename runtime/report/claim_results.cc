@@ -5,7 +5,9 @@
 // interval.
 //
 // Corrected together are the greater and the less of one family, all that were
-// ever stated: their verdicts rest on p. Those of equal do not.
+// ever stated: their verdicts rest on p. Those of equal do not. Among the tests
+// of relived values, bodies and brains, which no other life changes, count with
+// the p that they have.
 
 #include "runtime/report/claim_results.h"
 
@@ -35,39 +37,48 @@ struct ClaimCell {
   std::size_t measure = 0;
   std::string experiment, season;
   Counted of = Counted::kMean;
+  Told told = Told::kRecorded;
 };
 
 class ClaimReader {
  public:
   explicit ClaimReader(const StudyReport& report) : report_(report) {
     for (const Counted of : {Counted::kMean, Counted::kBest})
-      for (Finals& finals : FinalsOf(report, of))
-        finals_.push_back(std::move(finals));
+      for (const Told told : {Told::kRelived, Told::kRecorded})
+        for (Finals& finals : FinalsOf(report, of, told))
+          finals_.push_back(std::move(finals));
   }
 
   ClaimResult Read(std::size_t study, const StatedClaim& stated) const {
-    ClaimResult result{study, stated, {}, false, 1, {}};
+    ClaimResult result{study, stated, {}, false, 1, {}, {}};
     const Claim& claim = stated.claim;
     for (const std::string& experiment : claim.experiments)
       CountPlanned(study, experiment, result);
     if (claim.seasons.size() > 1) result.planned.push_back(result.planned[0]);
-    const std::vector<ClaimCell> cells = CellsOfClaim(claim);
-    Rng rng({kBootstrapSeed, 0, KeyOf(PrintClaims({claim}, 0)).high,
-             Purpose::kBootstrap});
-    if (claim.kind == ClaimKind::kMinimumBefore)
-      result.recorded =
-          FindingOfCourse(CurvesOfRuns(study, cells[0], claim.minimum_before),
-                          claim.minimum_before);
-    else if (claim.kind == ClaimKind::kValue)
-      result.recorded = FindingOfValue(Values(study, cells[0]), claim.value,
-                                       claim.over_runs, rng);
-    else
-      result.recorded = Compare(study, cells, rng);
+    result.recorded = Find(study, claim, Told::kRecorded);
+    ClaimFinding relived = Find(study, claim, Told::kRelived);
+    if (std::all_of(relived.runs.begin(), relived.runs.end(),
+                    [](std::size_t runs) { return runs > 0; }))
+      result.relived = std::move(relived);
     return result;
   }
 
  private:
-  std::vector<ClaimCell> CellsOfClaim(const Claim& claim) const {
+  ClaimFinding Find(std::size_t study, const Claim& claim, Told told) const {
+    const std::vector<ClaimCell> cells = CellsOfClaim(claim, told);
+    Rng rng({kBootstrapSeed, 0, KeyOf(PrintClaims({claim}, 0)).high,
+             Purpose::kBootstrap});
+    if (claim.kind == ClaimKind::kMinimumBefore)
+      return FindingOfCourse(
+          CurvesOfRuns(study, cells[0], claim.minimum_before),
+          claim.minimum_before);
+    if (claim.kind == ClaimKind::kValue)
+      return FindingOfValue(Values(study, cells[0]), claim.value,
+                            claim.over_runs, rng);
+    return Compare(study, cells, rng);
+  }
+
+  std::vector<ClaimCell> CellsOfClaim(const Claim& claim, Told told) const {
     const auto measure =
         std::find_if(report_.measures.begin(), report_.measures.end(),
                      [&](const ReportMeasure& one) {
@@ -80,7 +91,7 @@ class ClaimReader {
     std::vector<ClaimCell> cells;
     for (const std::string& experiment : claim.experiments)
       for (const std::string& season : claim.seasons)
-        cells.push_back({index, experiment, season, of});
+        cells.push_back({index, experiment, season, of, told});
     return cells;
   }
 
@@ -107,7 +118,9 @@ class ClaimReader {
                                             const ClaimCell& cell) const {
     std::map<std::size_t, double> values;
     for (const Finals& finals : finals_) {
-      if (finals.measure != cell.measure || finals.of != cell.of) continue;
+      if (finals.measure != cell.measure || finals.of != cell.of ||
+          finals.told != cell.told)
+        continue;
       const ReportExperiment& one = report_.experiments[finals.experiment];
       const auto& seasons = one.experiment.scenario.seasons;
       for (std::size_t i = 0; i < seasons.size(); ++i)
@@ -149,7 +162,9 @@ class ClaimReader {
                                                 const ClaimCell& cell,
                                                 int before) const {
     std::vector<std::vector<double>> curves;
-    if (report_.generation < before) return curves;
+    // Only the last generations live again.
+    if (report_.generation < before || cell.told == Told::kRelived)
+      return curves;
     const auto count = static_cast<std::size_t>(report_.generation) + 1;
     for (std::size_t run = 0; run < report_.runs.size(); ++run) {
       const PopulationSummary& population =
@@ -178,24 +193,38 @@ bool IsCorrected(const ClaimResult& result) {
          result.stated.claim.kind == ClaimKind::kLess;
 }
 
+using Family = std::vector<ClaimResult*>;
+
+/// Of its findings by `told`, that others count with what they have.
+void JudgeFamily(const Family& family, Told told) {
+  std::vector<std::optional<double>> p;
+  for (const ClaimResult* result : family)
+    p.push_back(told == Told::kRelived ? result->first().p
+                                       : result->recorded.p);
+  const auto adjusted = HolmAdjusted(p);
+  for (std::size_t i = 0; i < family.size(); ++i) {
+    family[i]->family = family.size();
+    if (told == Told::kRecorded)
+      family[i]->recorded.holm = adjusted[i];
+    else if (family[i]->relived)
+      family[i]->relived->holm = adjusted[i];
+  }
+}
+
 void Judge(std::vector<ClaimResult>& results) {
-  std::map<std::pair<std::size_t, std::string>, std::vector<ClaimResult*>>
-      families;
+  std::map<std::pair<std::size_t, std::string>, Family> families;
   for (ClaimResult& result : results)
     if (IsCorrected(result))
       families[{result.study, result.stated.claim.family}].push_back(&result);
-  for (auto& [name, family] : families) {
-    std::vector<std::optional<double>> p;
-    for (const ClaimResult* result : family) p.push_back(result->recorded.p);
-    const auto adjusted = HolmAdjusted(p);
-    for (std::size_t i = 0; i < family.size(); ++i) {
-      family[i]->recorded.holm = adjusted[i];
-      family[i]->family = family.size();
-    }
+  for (const auto& [name, family] : families)
+    for (const Told told : {Told::kRelived, Told::kRecorded})
+      JudgeFamily(family, told);
+  for (ClaimResult& result : results) {
+    const ClaimKind kind = result.stated.claim.kind;
+    if (!IsOfTwo(kind)) continue;
+    JudgeOfTwo(kind, result.family, result.recorded);
+    if (result.relived) JudgeOfTwo(kind, result.family, *result.relived);
   }
-  for (ClaimResult& result : results)
-    if (IsOfTwo(result.stated.claim.kind))
-      JudgeOfTwo(result.stated.claim.kind, result.family, result.recorded);
 }
 
 }  // namespace
@@ -217,10 +246,9 @@ std::string ClaimsSummary(const std::vector<ClaimResult>& results) {
       fmt::format("{} claim{}", results.size(), results.size() == 1 ? "" : "s");
   const char* separator = ": ";
   for (const auto& [verdict, name] : kVerdictNames) {
-    const auto count = std::count_if(results.begin(), results.end(),
-                                     [&](const ClaimResult& one) {
-                                       return one.recorded.verdict == verdict;
-                                     });
+    const auto count = std::count_if(
+        results.begin(), results.end(),
+        [&](const ClaimResult& one) { return one.first().verdict == verdict; });
     if (count == 0) continue;
     text += fmt::format("{}{} {}", separator, count, name);
     separator = ", ";

@@ -2,6 +2,7 @@
 
 // The claims of a report's studies, with what became of them.
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,13 +19,18 @@ struct ClaimResult {
   bool is_early = false;
   std::size_t family = 1;  ///< tests that are corrected together
   ClaimFinding recorded;
+  /// By lives that were lived again, of measures that these may change.
+  std::optional<ClaimFinding> relived;
+
+  /// What is told first: a record is one lucky draw.
+  const ClaimFinding& first() const { return relived ? *relived : recorded; }
 };
 
 /// In the order of studies; of each as StatedClaims has them. A claim that was
 /// withdrawn is told, and counts in its family, nevertheless.
 std::vector<ClaimResult> ClaimResultsOf(const StudyReport& report);
 
-/// "17 claims: 9 hold, 2 are opposite, 6 not shown"; empty without any.
+/// "17 claims: 9 holds, 2 opposite, 6 not shown"; empty without any.
 std::string ClaimsSummary(const std::vector<ClaimResult>& results);
 
 /// "plastic > baseline, flat", "flat: plastic 3.63 cm/s"...

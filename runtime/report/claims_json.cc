@@ -93,6 +93,9 @@ Json ClaimJson(const StudyReport& report, const ClaimResult& result) {
   json["runs_planned"] = result.planned;
   json["early"] = result.is_early;
   json["corrected_among"] = result.family;
+  json["verdict"] = NameIn(kVerdictNames, result.first().verdict);
+  json["relived"] =
+      result.relived ? FindingJson(claim, *result.relived) : Json(nullptr);
   json["recorded"] = FindingJson(claim, result.recorded);
   return json;
 }

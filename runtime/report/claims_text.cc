@@ -96,10 +96,9 @@ std::string ResultText(const StudyReport& report, const ClaimResult& result) {
   const std::optional<ReportMeasure> measure = FindMeasure(claim.measure);
   const std::string unit =
       measure && !measure->unit.empty() ? " " + measure->unit : "";
-  const ClaimFinding& finding = result.recorded;
   std::string text =
-      fmt::format("{:{}}{}\n", NameIn(kVerdictNames, finding.verdict), kIndent,
-                  Escaped(claim.name));
+      fmt::format("{:{}}{}\n", NameIn(kVerdictNames, result.first().verdict),
+                  kIndent, Escaped(claim.name));
   const auto add = [&](const std::string& line) {
     text += fmt::format("{:{}}{}\n", "", kIndent, Escaped(line));
   };
@@ -107,8 +106,16 @@ std::string ResultText(const StudyReport& report, const ClaimResult& result) {
                   claim.of == ClaimOf::kBest ? " of the best" : "",
                   WhatIsClaimed(claim),
                   claim.kind == ClaimKind::kValue ? unit : ""));
-  add(IsOfTwo(claim.kind) ? TwoText(result, finding, unit)
-                          : OneText(result, finding, unit));
+  const auto numbers = [&](const ClaimFinding& finding) {
+    return IsOfTwo(claim.kind) ? TwoText(result, finding, unit)
+                               : OneText(result, finding, unit);
+  };
+  if (result.relived) add("relived: " + numbers(*result.relived));
+  add((result.relived
+           ? fmt::format("recorded ({}): ",
+                         NameIn(kVerdictNames, result.recorded.verdict))
+           : "") +
+      numbers(result.recorded));
   add(StatedText(report.claims[result.study].record, result));
   if (!claim.source.empty()) add("source: " + claim.source);
   return text;
@@ -118,15 +125,17 @@ std::string ResultText(const StudyReport& report, const ClaimResult& result) {
 
 std::string ClaimsText(const StudyReport& report,
                        const std::vector<ClaimResult>& results) {
-  std::string text;
   bool is_early = false;
-  for (const ClaimResult& result : results) {
-    text += ResultText(report, result) + "\n";
+  for (const ClaimResult& result : results)
     is_early = is_early || result.is_early;
-  }
-  if (report.generation >= 0)
-    text += fmt::format("generation {}{}; ", report.generation,
-                        is_early ? ", before all runs are done" : "");
+  std::string text =
+      fmt::format("{}finds them{}{}\n\n", kClaimsMark,
+                  report.generation < 0
+                      ? ""
+                      : fmt::format(" in generation {}", report.generation),
+                  is_early ? ", before all runs are done" : "");
+  for (const ClaimResult& result : results)
+    text += ResultText(report, result) + "\n";
   return text + ClaimsSummary(results) + "\n";
 }
 

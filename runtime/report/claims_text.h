@@ -4,13 +4,17 @@
 // it rests on.
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "runtime/report/claim_results.h"
 
 namespace plsc {
 
-/// Names are as they were written: whoever prints it escapes lines.
+/// How it begins.
+inline constexpr std::string_view kClaimsMark = "Claims, as 'plsc report' ";
+
+/// For a terminal: no name can move its cursor.
 std::string ClaimsText(const StudyReport& report,
                        const std::vector<ClaimResult>& results);
 

@@ -4,9 +4,12 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <system_error>
 #include <utility>
 
+#include "runtime/relive/relived_file.h"
 #include "runtime/study/study_folder.h"
 
 namespace plsc {
@@ -35,13 +38,10 @@ std::string NameOf(const fs::path& folder) {
   return Cleaned(Canonical(folder.string())).filename().string();
 }
 
-StudyClaims ClaimsOf(const std::string& folder, const std::string& title) {
-  StudyClaims claims{title, folder, {}, ""};
-  if (auto record = ClaimsIn(folder))
-    claims.record = std::move(*record);
-  else
-    claims.problem = record.error().text;
-  return claims;
+StudyClaims ClaimsOf(const std::string& title,
+                     Expected<ClaimsRecord, Failure> record) {
+  if (!record) return {title, {}, record.error().text};
+  return {title, std::move(*record), ""};
 }
 
 /// The runs of a study, or of one of its experiments.
@@ -50,7 +50,8 @@ Inputs RunsOfStudy(const std::string& folder, const std::string& only) {
   if (!study) return study.error();
   ReportInputs inputs;
   inputs.title = study->name.empty() ? NameOf(folder) : study->name;
-  if (only.empty()) inputs.claims.push_back(ClaimsOf(folder, inputs.title));
+  if (only.empty())
+    inputs.claims.push_back(ClaimsOf(inputs.title, ClaimsIn(folder)));
   for (const StudyRun& run : RunsOf(*study)) {
     const std::string& experiment = study->experiments[run.experiment].name;
     if (!only.empty() && experiment != only) continue;
@@ -66,7 +67,8 @@ Inputs RunsInFolder(const std::string& folder) {
   std::vector<std::string> paths;
   for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
        entry.increment(error))
-    if (entry->path().extension() == ".sqlite")
+    if (entry->path().extension() == ".sqlite" &&
+        !IsRelivedFile(entry->path().string()))
       paths.push_back(entry->path().string());
   if (error)
     return Failure(
@@ -80,6 +82,14 @@ Inputs RunsInFolder(const std::string& folder) {
   for (const std::string& path : paths)
     inputs.runs.push_back({path, fs::path(path).filename().string(), "", {}});
   return inputs;
+}
+
+/// "paper.json:7:13: expected a number for 'cpu_seconds', found null"
+std::string FirstErrorOf(const std::vector<Diagnostic>& errors,
+                         const Source& source) {
+  const Position place = source.PositionOf(errors.front().span.begin);
+  return fmt::format("{}:{}:{}: {}", source.name(), place.line, place.column,
+                     errors.front().message);
 }
 
 bool HasStudy(const fs::path& folder) {
@@ -105,6 +115,40 @@ Inputs RunOfFile(const std::string& path) {
   return ReportInputs{name, {{path, name, "", {}}}};
 }
 
+/// The text of a digest; nothing if the file is something else.
+std::optional<std::string> DigestText(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::string begin(kDigestMark.size(), '\0');
+  if (!file.read(begin.data(), static_cast<std::streamsize>(begin.size())) ||
+      begin != kDigestMark)
+    return std::nullopt;
+  return begin + std::string(std::istreambuf_iterator<char>(file), {});
+}
+
+/// All runs of its study: those that it lacks are missing.
+Inputs RunsOfDigest(const std::string& path, std::string text) {
+  const Source source(path, std::move(text));
+  Result<Digest> parsed = ParseDigest(source);
+  if (!parsed) return Failure(FirstErrorOf(parsed.diagnostics(), source));
+  const auto digest = std::make_shared<const Digest>(std::move(*parsed));
+  const Study& study = digest->study;
+  ReportInputs inputs;
+  inputs.title =
+      study.name.empty() ? fs::path(path).filename().string() : study.name;
+  inputs.claims.push_back(
+      ClaimsOf(inputs.title, ParseClaimsRecord(digest->claims, path)));
+  auto next = digest->runs.begin();
+  for (const StudyRun& run : RunsOf(study)) {
+    ReportInput& input = inputs.runs.emplace_back(
+        ReportInput{path + "#" + RunName(study, run), RunName(study, run),
+                    study.experiments[run.experiment].name,
+                    ExperimentOf(study, run), digest});
+    input.study = 0;
+    if (next != digest->runs.end() && next->run == run) input.kept = &*next++;
+  }
+  return inputs;
+}
+
 Inputs RunsAt(const std::string& path) {
   std::error_code error;
   if (!fs::exists(path, error))
@@ -116,6 +160,8 @@ Inputs RunsAt(const std::string& path) {
       return Failure(fmt::format(
           "'{}' is no run; name the folder that 'plsc study run' filled",
           path));
+    if (std::optional<std::string> text = DigestText(path))
+      return RunsOfDigest(path, std::move(*text));
     return RunOfFile(path);
   }
   const fs::path folder = Cleaned(path);
@@ -135,6 +181,8 @@ Inputs FindRuns(const std::vector<std::string>& paths) {
   ReportInputs all;
   std::vector<std::string> seen;
   for (const std::string& path : paths) {
+    // Beside runs as a shell names them: *.sqlite.
+    if (IsRelivedFile(path) && paths.size() > 1) continue;
     Inputs found = RunsAt(path);
     if (!found) return found;
     all.title += (all.title.empty() ? "" : ", ") + found->title;
@@ -150,6 +198,8 @@ Inputs FindRuns(const std::vector<std::string>& paths) {
       all.runs.push_back(std::move(run));
     }
   }
+  if (all.runs.empty())
+    return Failure("all of these are of relived lives; name their runs");
   return all;
 }
 

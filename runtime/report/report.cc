@@ -149,14 +149,27 @@ StudyReport BuildReport(const ReportInputs& inputs,
   report.is_verified = verify;
   const ReadOptions options{report.measures, report.is_single, verify};
   for (const ReportInput& input : inputs.runs) {
-    report.runs.push_back(
-        {input, ReadRun(input.path, options, input.expected), {}});
+    RunReading reading =
+        input.kept != nullptr
+            ? ReadingOf(*input.digest, *input.kept, report.measures)
+        : input.digest ? RunReading()
+                       : ReadRun(input.path, options, input.expected);
+    report.is_thinned = report.is_thinned || input.kept != nullptr;
+    report.runs.push_back({input, std::move(reading), {}, {}});
     if (on_run) on_run(report.runs.size(), inputs.runs.size());
   }
   report.experiments = GroupRuns(report.runs);
   PlaceSeasons(report);
   report.generation = ComparedGeneration(report);
   return report;
+}
+
+void AddRelived(StudyReport& report) {
+  for (ReportRun& run : report.runs)
+    if (report.generation >= 0 &&
+        report.generation < run.reading.population.generations &&
+        run.input.digest == nullptr)
+      run.relived = ReadRelived(run.input.path, report.generation);
 }
 
 }  // namespace plsc

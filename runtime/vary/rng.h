@@ -21,6 +21,7 @@ enum class Purpose : std::uint64_t {
   kCrossover = 2,
   kMutate = 3,
   kSelectSurvivors = 4,
+  kRelive = 6,
   kBootstrap = 7,  ///< of a claim's interval, in a report
 };
 

@@ -206,6 +206,11 @@ double ArticulatedEngine::JointAngle(int joint) const {
   return state_.links[At(joint + 1)].angle;
 }
 
+void ArticulatedEngine::TellJointSpeeds(std::vector<double>& speeds) const {
+  for (std::size_t i = 0; i < speeds.size(); ++i)
+    speeds[i] = state_.links[i + 1].speed;
+}
+
 LinkPose ArticulatedEngine::PoseOf(int link) const {
   return {PositionOf(link), axes_ * state_.links[At(link)].axes};
 }

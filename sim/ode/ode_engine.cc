@@ -264,6 +264,11 @@ double OdeEngine::JointAngle(int joint) const {
   return dJointGetHingeAngle(hinges[static_cast<std::size_t>(joint)]);
 }
 
+void OdeEngine::TellJointSpeeds(std::vector<double>& speeds) const {
+  for (std::size_t i = 0; i < hinges.size(); ++i)
+    speeds[i] = dJointGetHingeAngleRate(hinges[i]);
+}
+
 LinkPose OdeEngine::PoseOf(int link) const {
   const dBodyID body = bodies[static_cast<std::size_t>(link)];
   return {ToVector(dBodyGetPosition(body)), ToMatrix(dBodyGetRotation(body))};

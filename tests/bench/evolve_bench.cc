@@ -56,7 +56,8 @@ long MemoryNow() {
 }
 
 /// As if simulated: a number that differs between phenotypes.
-Simulated Stub(const Phenotype& robot, const Season& season) {
+Simulated Stub(const Phenotype& robot, const Season& season,
+               const Disturbance& /*disturbance*/) {
   Simulated stub;
   const Key key = KeyOf(BodyJson(robot.body) + BrainJson(robot) + season.name);
   stub.behaviour.is_valid = true;

@@ -43,7 +43,8 @@ namespace fs = std::filesystem;
 constexpr std::uint64_t kLevels = 4;
 
 /// As if simulated: numbers that follow from the phenotype.
-Simulated Stub(const Phenotype& robot, const Season& season) {
+Simulated Stub(const Phenotype& robot, const Season& season,
+               const Disturbance& /*disturbance*/) {
   Simulated stub;
   const Key key = KeyOf(BodyJson(robot.body) + BrainJson(robot) + season.name);
   stub.behaviour.is_valid = true;

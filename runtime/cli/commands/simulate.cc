@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <ostream>
 #include <utility>
@@ -61,6 +62,23 @@ std::string EngineText(const Scenario& scenario) {
   return ode == scenario ? "" : ", both engines";
 }
 
+/// How far the solver was from converging, where it may be.
+void PrintServos(const SeasonResult& result, const Scenario& scenario,
+                 std::ostream& out) {
+  const auto season = std::find_if(
+      scenario.seasons.begin(), scenario.seasons.end(),
+      [&](const Season& one) { return one.name == result.season; });
+  if (!result.behaviour.is_valid || result.body.hinge_count == 0 ||
+      season == scenario.seasons.end() ||
+      season->physics.solver != Solver::kIterative)
+    return;
+  out << fmt::format(
+      "  iterative solver, {} iterations: half of the joints' speeds are "
+      "{:.2g} "
+      "rad/s or more from what servos are told\n",
+      season->physics.solver_iterations, result.behaviour.servo_error_median);
+}
+
 // When and why the robot is what it is.
 void PrintChange(const SeasonResult& result, const Scenario& scenario,
                  std::ostream& out) {
@@ -84,8 +102,9 @@ std::vector<std::pair<std::string_view, std::string>> DescriptorsOf(
   std::vector<std::pair<std::string_view, std::string>> all;
   const auto add = [&](const std::vector<NamedValue>& values, bool is_known) {
     for (const NamedValue& value : values)
-      all.emplace_back(value.name,
-                       is_known ? fmt::format("{:.6g}", value.value) : "-");
+      all.emplace_back(value.name, is_known && !std::isnan(value.value)
+                                       ? fmt::format("{:.6g}", value.value)
+                                       : "-");
   };
   const bool has_robot = result.body.absolute_size > 0;
   add(List(result.behaviour), result.behaviour.is_valid);
@@ -169,6 +188,7 @@ void PrintSeason(const SimulateCommand& command, const SeasonLife& life,
   if (command.format == OutputFormat::kText) {
     PrintRow(life.result, io.out);
     PrintChange(life.result, scenario, io.out);
+    PrintServos(life.result, scenario, io.out);
   } else {
     io.out << SeasonJson(genotype, life.result) << '\n';
   }

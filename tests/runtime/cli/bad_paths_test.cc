@@ -60,6 +60,7 @@ const std::vector<std::string> kLines = {
     "show RUN:run.sqlite --format json",
     "show RUN:run.sqlite best --format json",
     "replay RUN:run.sqlite --format json",
+    "relive STUDY|RUN:run.sqlite --lives 1 --quiet --format json",
     "export FILE:r.pls --to json --env flat --scenario --scenario:s.yaml -o "
     "--output:new.json",
     "export FILE:run.sqlite --csv --csv:new",
@@ -68,6 +69,7 @@ const std::vector<std::string> kLines = {
     "study run STUDY:study.yaml -o --output:new --cache --cache:new.cache "
     "--quiet",
     "study status FOLDER:study --format json",
+    "study digest FOLDER:study -o --output:new.json --quiet",
     "view INPUT:r.pls --scenario --scenario:s.yaml -o --output:new.html",
     "view --explain INPUT:run.sqlite -o --output:new.html",
     "report STUDY|RUN:run.sqlite -o --output:new.html",

@@ -25,10 +25,11 @@ using test::Recorder;
 using test::SmallExperiment;
 
 /// Slower for some than for others, so that answers overtake each other.
-Simulated LookSlowly(const Phenotype& robot, const Season& season) {
+Simulated LookSlowly(const Phenotype& robot, const Season& season,
+                     const Disturbance& disturbance) {
   for (std::uint64_t more = NumberOf(robot) % 5 * 5; more > 0; --more)
     Look(robot, season);
-  return Look(robot, season);
+  return Look(robot, season, disturbance);
 }
 
 RunResult Record(const Experiment& experiment, int jobs,
@@ -211,7 +212,8 @@ TEST_CASE("Nothing is simulated twice, and caches change nothing", "[evolve]") {
 
   Recorder known;
   options.observers = {&known};
-  options.simulate = [](const Phenotype&, const Season&) -> Simulated {
+  options.simulate = [](const Phenotype&, const Season&,
+                        const Disturbance&) -> Simulated {
     raise(SIGKILL);
     return {};
   };
@@ -327,7 +329,8 @@ TEST_CASE("An observer that fails ends the run", "[evolve]") {
 TEST_CASE("Who kills its workers has no fitness, and the run goes on",
           "[evolve]") {
   Recorder seen;
-  const auto deadly = [](const Phenotype& robot, const Season& season) {
+  const auto deadly = [](const Phenotype& robot, const Season& season,
+                         const Disturbance&) {
     if (NumberOf(robot) % 4 == 1 && season.name == "flat") raise(SIGKILL);
     return Look(robot, season);
   };

@@ -16,10 +16,13 @@ std::uint64_t NumberOf(const Phenotype& robot) {
   return KeyOf(BodyJson(robot.body) + BrainJson(robot)).low;
 }
 
-Simulated Look(const Phenotype& robot, const Season& season) {
+Simulated Look(const Phenotype& robot, const Season& season,
+               const Disturbance& disturbance) {
   Simulated seen;
   seen.steps = 10000;
   seen.state_hash = NumberOf(robot) + season.name.size();
+  if (disturbance != Disturbance{})
+    seen.state_hash ^= KeyOf(DisturbanceText(disturbance)).low;
   const bool is_flat = season.name == "flat";
   if (!is_flat && NumberOf(robot) % 11 == 0) {
     seen.outcome = Outcome::kUnstable;
@@ -32,7 +35,8 @@ Simulated Look(const Phenotype& robot, const Season& season) {
                      : module.type == ModuleType::kTouchSensor;
   seen.behaviour.is_valid = true;
   seen.behaviour.displacement_velocity_hill =
-      0.01 + liked / 3 + 1e-3 * static_cast<double>(NumberOf(robot) % 7);
+      0.01 + liked / 3 + 1e-3 * static_cast<double>(NumberOf(robot) % 7) +
+      disturbance.lift / 10;
   return seen;
 }
 

@@ -47,6 +47,31 @@ TEST_CASE("Everybody is evaluated once, twins share their simulations",
           lives[10].evaluation.seasons[i].state_hash);
 }
 
+TEST_CASE("Twins that are disturbed otherwise live otherwise",
+          "[generation_evaluator]") {
+  const LifePlanner planner(PaperScenario(), test::Look);
+  Here workers(WorkOf(planner));
+  GenerationEvaluator evaluator(planner, workers, {});
+  std::vector<Individual> robots(4, Robots(1)[0]);
+  robots[1].disturbances.resize(2);
+  robots[1].disturbances[0].lift = 0.1;
+  robots[2].disturbances = robots[1].disturbances;
+  evaluator.Begin(robots);
+  std::vector<EvaluatedLife> lives(4);
+  while (evaluator.outstanding() > 0)
+    for (EvaluatedRobot& one : evaluator.Wait(0))
+      lives[one.robot] = std::move(one.life);
+  const auto hash = [&](std::size_t robot, std::size_t season) {
+    return lives[robot].evaluation.seasons[season].state_hash;
+  };
+  CHECK(hash(0, 0) != hash(1, 0));
+  CHECK(hash(0, 1) == hash(1, 1));
+  CHECK(hash(1, 0) == hash(2, 0));
+  CHECK(hash(0, 0) == hash(3, 0));
+  CHECK(evaluator.counts().simulations == 3);
+  CHECK(evaluator.counts().looked_up == 5);
+}
+
 TEST_CASE("Those with an evaluation are not evaluated again",
           "[generation_evaluator]") {
   const LifePlanner planner(PaperScenario(), test::Look);

@@ -52,6 +52,28 @@ TEST_CASE("A worker needs only the experiment as it is printed",
   CHECK(told[0].state_hash != 0);
 }
 
+TEST_CASE("A worker lives a disturbed life to the same bits",
+          "[worker_request]") {
+  Experiment experiment;
+  for (Season& season : experiment.scenario.seasons) season.duration = 0.5;
+  Disturbance disturbance;
+  disturbance.lift = 1.0 / 3e5;
+  disturbance.motor = {0.2, ~std::uint64_t{0}};
+  const Disturbances disturbances = {{}, disturbance};
+  for (const EngineKind engine : {EngineKind::kOde, EngineKind::kArticulated}) {
+    REQUIRE_FALSE(SetEngine(experiment.scenario, engine));
+    const LifePlanner planner(experiment.scenario);
+    const Work work = WorkFor(PrintExperiment(experiment));
+    const LifePiece piece = planner.Plan(Robot(), {}, disturbances)[1];
+    const std::string request = RequestFor(Robot(), {}, piece, disturbances);
+    const Simulated told = SimulatedOf({1, work(request), ""}, 1)[0];
+    CHECK(told.state_hash ==
+          planner.Simulate(Robot(), {}, piece, disturbances)[0].state_hash);
+    CHECK(told.state_hash !=
+          planner.Simulate(Robot(), {}, piece)[0].state_hash);
+  }
+}
+
 TEST_CASE("A death, or nonsense, is an outcome of every season",
           "[worker_request]") {
   for (const Reply& reply :

@@ -9,8 +9,12 @@
 #include "runtime/life/evaluation.h"
 #include "runtime/scenario/scenario_profile.h"
 #include "tests/runtime/develop/compile_text.h"
+#include "tests/runtime/life/disturbed.h"
 
 namespace plsc {
+
+using test::Changes;
+using test::Everything;
 
 namespace {
 
@@ -25,6 +29,24 @@ Scenario Short(Lives lives) {
   Scenario scenario = PaperScenario();
   scenario.lives = lives;
   for (Season& season : scenario.seasons) season.duration = 1;
+  return scenario;
+}
+
+constexpr const char* kLeaner =
+    "sense inclined: bool\n"
+    "iterations 1\n"
+    "rule C -> if inclined = False then { C add_front A2(0.5, 4, 2, 1) "
+    "move_front add_front B }\n"
+    "rule C -> if inclined = True then { C add_left A2(0.5, 4, 2, 1) "
+    "add_right B }\n";
+
+/// The second season on rough ground.
+Scenario Brief(Lives lives, EngineKind engine) {
+  Scenario scenario = PaperScenario();
+  scenario.lives = lives;
+  for (Season& season : scenario.seasons) season.duration = 0.3;
+  scenario.seasons[1].terrain.type = TerrainType::kRough;
+  CHECK_FALSE(SetEngine(scenario, engine));
   return scenario;
 }
 
@@ -206,6 +228,80 @@ TEST_CASE("Keys hold what a profile gives and not its name", "[life_plan]") {
     CHECK(keys(paper) != keys(swift));
     SetEngine(paper, EngineKind::kArticulated);
     CHECK(keys(paper) == keys(swift));
+  }
+}
+
+TEST_CASE("Lives that are disturbed otherwise have other keys", "[life_plan]") {
+  const Genotype genotype = test::Robot(kLeaner);
+  for (const Lives lives : {Lives::kIndependent, Lives::kContinuous}) {
+    const LifePlanner planner(Brief(lives, EngineKind::kArticulated));
+    const auto keys_of = [&](const Disturbances& disturbances) {
+      std::vector<Key> keys;
+      for (const LifePiece& piece : planner.Plan(genotype, {}, disturbances))
+        keys.insert(keys.end(), piece.keys.begin(), piece.keys.end());
+      return keys;
+    };
+    const std::vector<Key> plain = keys_of({});
+    CHECK(keys_of({{}, {}}) == plain);
+    std::set<Key> all(plain.begin(), plain.end());
+    for (const auto& change : Changes()) {
+      Disturbances disturbances(2);
+      change(disturbances[1]);
+      const std::vector<Key> keys = keys_of(disturbances);
+      CHECK(all.insert(keys[1]).second);
+      // Seasons that are lived from the start know nothing of each other.
+      CHECK((keys[0] == plain[0]) == (lives == Lives::kIndependent));
+    }
+  }
+}
+
+TEST_CASE("A disturbed life in pieces is the life as a whole", "[life_plan]") {
+  const Genotype genotype = test::Robot(kLeaner);
+  const Disturbances disturbances = {{}, Everything()};
+  for (const EngineKind engine : {EngineKind::kOde, EngineKind::kArticulated})
+    for (const Lives lives : {Lives::kIndependent, Lives::kContinuous}) {
+      CAPTURE(static_cast<int>(engine), static_cast<int>(lives));
+      const Scenario scenario = Brief(lives, engine);
+      const LifePlanner planner(scenario);
+      std::vector<std::optional<Simulated>> seasons(2);
+      for (const LifePiece& piece : planner.Plan(genotype, {}, disturbances)) {
+        const auto simulated =
+            planner.Simulate(genotype, {}, piece, disturbances);
+        for (std::size_t i = 0; i < simulated.size(); ++i)
+          seasons[piece.first + i] = simulated[i];
+      }
+      const EvaluatedLife pieces =
+          planner.Assemble(genotype, {}, seasons, disturbances);
+      const Evaluation whole = Evaluate(genotype, scenario, disturbances);
+      const Evaluation plain = Evaluate(genotype, scenario);
+      for (std::size_t i = 0; i < 2; ++i) {
+        const SeasonResult& one = pieces.evaluation.seasons[i];
+        const SeasonResult& other = whole.seasons[i];
+        const SeasonResult& before = plain.seasons[i];
+        CHECK(one.outcome == Outcome::kCompleted);
+        CHECK(one.state_hash == other.state_hash);
+        CHECK(one.fitness == other.fitness);
+        CHECK(one.inclination == other.inclination);
+        CHECK(one.sensed == other.sensed);
+        CHECK((one.state_hash == before.state_hash) == (i == 0));
+        CHECK((one.inclination == before.inclination) == (i == 0));
+      }
+    }
+}
+
+TEST_CASE("A lean that passes the threshold makes another robot",
+          "[life_plan]") {
+  const Genotype genotype = test::Robot(kLeaner);
+  Disturbances disturbances(2);
+  disturbances[0].lean = -0.05;  // felt level is felt inclined, either way
+  for (const Lives lives : {Lives::kIndependent, Lives::kContinuous}) {
+    const Scenario scenario = Brief(lives, EngineKind::kArticulated);
+    const SeasonResult flat =
+        Evaluate(genotype, scenario, disturbances).seasons[0];
+    CHECK(flat.inclination == Approx(0.05));
+    CHECK(flat.sensed[0].value == "True");
+    CHECK(flat.body.brick_count == 1);
+    CHECK(flat.body.hinge_count == 1);
   }
 }
 

@@ -21,7 +21,8 @@ using test::NumberOf;
 using test::Scratch;
 using test::StoredExperiment;
 
-Simulated LookAndDie(const Phenotype& robot, const Season& season) {
+Simulated LookAndDie(const Phenotype& robot, const Season& season,
+                     const Disturbance& /*disturbance*/) {
   if (NumberOf(robot) % 3 == 1 && season.name == "flat") raise(SIGKILL);
   return Look(robot, season);
 }
