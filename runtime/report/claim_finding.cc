@@ -18,7 +18,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 #include "runtime/report/quantiles.h"
 #include "runtime/report/signed_rank.h"
@@ -35,11 +34,6 @@ constexpr double kZ = 1.959963984540054;  // of 95 %
 
 double MedianOf(const std::vector<double>& values) {
   return QuartilesOf(values).median;
-}
-
-double MeanOver(const std::vector<double>& values) {
-  return std::accumulate(values.begin(), values.end(), 0.0) /
-         static_cast<double>(values.size());
 }
 
 /// Of samples, or pairs, that are wholly apart.
@@ -107,7 +101,7 @@ std::vector<double> Replicates(const std::vector<double>& values,
   std::vector<double> drawn(values.size());
   for (int i = 0; i < kReplicatesOfValue; ++i) {
     for (double& one : drawn) one = values[rng.Index(values.size())];
-    replicates.push_back(over_runs == OverRuns::kMean ? MeanOver(drawn)
+    replicates.push_back(over_runs == OverRuns::kMean ? MeanOf(drawn)
                                                       : MedianOf(drawn));
   }
   return replicates;
@@ -161,7 +155,7 @@ ClaimFinding FindingOfValue(const std::vector<double>& values, double published,
   finding.medians = {MedianOf(values)};
   if (values.empty()) return finding;
   const bool is_mean = over_runs == OverRuns::kMean;
-  finding.ours = is_mean ? MeanOver(values) : finding.medians[0];
+  finding.ours = is_mean ? MeanOf(values) : finding.medians[0];
   if (*finding.ours > 0 && published > 0)
     finding.ratio = *finding.ours / published;
   if (values.size() < kFewestRuns) return finding;
@@ -169,7 +163,7 @@ ClaimFinding FindingOfValue(const std::vector<double>& values, double published,
   std::vector<double> left_out;
   const auto n = static_cast<double>(values.size());
   for (const double value : values)
-    left_out.push_back((n * MeanOver(values) - value) / (n - 1));
+    left_out.push_back((n * MeanOf(values) - value) / (n - 1));
   // A median has steps, and no skewness that leaving out one would show.
   finding.interval =
       is_mean ? BcaInterval(std::move(replicates), *finding.ours, {left_out})

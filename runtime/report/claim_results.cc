@@ -175,10 +175,14 @@ class ClaimReader {
         const Series& series = population.of(cell.measure, i);
         const std::vector<double>& values =
             cell.of == Counted::kBest ? series.best : series.means;
-        if (values.size() >= count)
-          curves.emplace_back(
-              values.begin(),
-              values.begin() + static_cast<std::ptrdiff_t>(count));
+        if (values.size() < count) continue;
+        std::vector<double> curve(
+            values.begin(),
+            values.begin() + static_cast<std::ptrdiff_t>(count));
+        // A minimum may lie in a gap, as digests have.
+        if (std::none_of(curve.begin(), curve.end(),
+                         [](double value) { return std::isnan(value); }))
+          curves.push_back(std::move(curve));
       }
     }
     return curves;
@@ -250,7 +254,8 @@ std::string ClaimsSummary(const std::vector<ClaimResult>& results) {
         results.begin(), results.end(),
         [&](const ClaimResult& one) { return one.first().verdict == verdict; });
     if (count == 0) continue;
-    text += fmt::format("{}{} {}", separator, count, name);
+    const bool is_many = verdict == Verdict::kHolds && count > 1;
+    text += fmt::format("{}{} {}", separator, count, is_many ? "hold" : name);
     separator = ", ";
   }
   return text;

@@ -30,7 +30,7 @@ struct ClaimResult {
 /// withdrawn is told, and counts in its family, nevertheless.
 std::vector<ClaimResult> ClaimResultsOf(const StudyReport& report);
 
-/// "17 claims: 9 holds, 2 opposite, 6 not shown"; empty without any.
+/// "17 claims: 9 hold, 2 opposite, 6 not shown"; empty without any.
 std::string ClaimsSummary(const std::vector<ClaimResult>& results);
 
 /// "plastic > baseline, flat", "flat: plastic 3.63 cm/s"...

@@ -23,20 +23,16 @@ std::string RangeText(const Interval& interval) {
   return fmt::format("{} to {}", Digits(interval.low), Digits(interval.high));
 }
 
-/// " of 20 + 20 runs", with how many are planned if that is not all.
+/// "20 + 20 runs", and how many are planned where not all are there.
 std::string RunsText(const ClaimResult& result, const ClaimFinding& finding) {
-  std::string text = fmt::format("{}", fmt::join(finding.runs, " + "));
-  if (finding.is_paired) text = fmt::format("{}", finding.runs[0]);
-  const std::size_t planned = result.planned[0];
-  bool is_all = true;
-  for (std::size_t i = 0; i < finding.runs.size(); ++i)
-    is_all = is_all && finding.runs[i] == result.planned[i];
-  return text + (is_all
-                     ? " runs"
-                     : fmt::format(" of {} runs{}", planned,
-                                   finding.runs.size() > 1 && !finding.is_paired
-                                       ? " each"
-                                       : ""));
+  const auto joined = [&](const std::vector<std::size_t>& counts) {
+    return finding.is_paired ? std::to_string(counts[0])
+                             : fmt::format("{}", fmt::join(counts, " + "));
+  };
+  return joined(finding.runs) + " runs" +
+         (finding.runs == result.planned
+              ? ""
+              : fmt::format(" ({} planned)", joined(result.planned)));
 }
 
 std::string RatioText(const ClaimFinding& finding) {

@@ -41,7 +41,7 @@ struct StudyClaims {
 struct ReportInputs {
   std::string title;  ///< the study's name, or that of the only path
   std::vector<ReportInput> runs;
-  std::vector<StudyClaims> claims;
+  std::vector<StudyClaims> claims{};
 };
 
 /// Paths are folders of studies, folders of one of their experiments, folders

@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "runtime/report/normal.h"
 #include "runtime/report/quantiles.h"
@@ -52,7 +51,7 @@ double Acceleration(const std::vector<std::vector<double>>& left_out) {
   double squares = 0;
   for (const std::vector<double>& sample : left_out) {
     const auto n = static_cast<double>(sample.size());
-    const double mean = std::accumulate(sample.begin(), sample.end(), 0.0) / n;
+    const double mean = MeanOf(sample);
     for (const double one : sample) {
       const double influence = (n - 1) * (mean - one) / n;
       squares += influence * influence;

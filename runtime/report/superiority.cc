@@ -17,8 +17,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <functional>
 
+#include "runtime/report/quantiles.h"
 #include "runtime/vary/rng.h"
 
 namespace plsc {
@@ -62,11 +63,6 @@ std::vector<double> SharesBelow(const std::vector<std::size_t>& sample,
     below += here;
   }
   return at;
-}
-
-double MeanOf(const std::vector<double>& values) {
-  return std::accumulate(values.begin(), values.end(), 0.0) /
-         static_cast<double>(values.size());
 }
 
 double SuperiorityAt(const std::vector<std::size_t>& x,
