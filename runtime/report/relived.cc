@@ -20,8 +20,6 @@ namespace plsc {
 
 namespace {
 
-constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
-
 int IndexOfSeason(std::size_t season) {
   return static_cast<int>(season);
 }
