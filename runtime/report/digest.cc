@@ -1,9 +1,9 @@
 // A digest keeps what statistics are made of, the runs' means and their best
 // robots by generation, and drops what only looks further: robots, portraits,
 // rules. Numbers have six digits and generations are thinned out, so that a run
-// is 10 KB, most of it the genotype; the last generation, which is compared, is
-// always kept. Between generations that were kept there is no number, as where
-// no robot has a value.
+// of the paper is 7 KB, 3 of them the genotype; the last generation, which is
+// compared, is always kept. Between generations that were kept there is no
+// number, as where no robot has a value.
 
 #include "runtime/report/digest.h"
 

@@ -6,13 +6,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
-#include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "grammar/number.h"
+#include "compiler/compile.h"
 #include "runtime/report/digest.h"
 #include "runtime/report/rounded_json.h"
 #include "runtime/store/schema.h"
@@ -29,6 +29,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr int kDigestVersion = 1;
 constexpr double kNotKept = std::numeric_limits<double>::quiet_NaN();
+constexpr std::int64_t kMostInt = std::numeric_limits<int>::max();
 constexpr std::int64_t kMost = std::numeric_limits<std::int64_t>::max();
 
 std::vector<int> KeptOf(int generations, int every) {
@@ -124,8 +125,11 @@ class GenerationsReader {
   GenerationsReader(JsonReader& reader, const JsonValue& run, int generations)
       : reader_(reader), generations_(generations) {
     reader.List(run, "generations", [&](const JsonValue& one) {
-      kept_.push_back(
-          static_cast<int>(reader.Integer(one, 0, generations - 1)));
+      const auto next =
+          static_cast<int>(reader.Integer(one, 0, generations - 1));
+      if (!kept_.empty() && next <= kept_.back())
+        reader.Error(one, Code::kMisfit, "generations do not rise");
+      kept_.push_back(next);
     });
   }
 
@@ -152,13 +156,6 @@ class GenerationsReader {
   std::vector<int> kept_;
 };
 
-template <typename Read>
-void With(JsonReader& reader, const JsonValue& object, std::string_view key,
-          Read read) {
-  if (const nlohmann::json* member = reader.Member(object, key))
-    read(JsonValue{*member, &object, std::string(key)});
-}
-
 Series ReadSeries(JsonReader& reader, const JsonValue& value,
                   GenerationsReader& generations) {
   static constexpr std::array<std::string_view, 2> kKnown{"mean", "best"};
@@ -169,31 +166,31 @@ Series ReadSeries(JsonReader& reader, const JsonValue& value,
   return series;
 }
 
-std::vector<CensusCounts> ReadCensuses(const JsonValue& value,
-                                       GenerationsReader& generations) {
-  std::vector<std::vector<double>> columns;
-  for (const std::string& name : CensusColumns())
-    columns.push_back(generations.Read(value, name));
-  std::vector<CensusCounts> censuses(columns.front().size());
-  for (std::size_t i = 0; i < censuses.size(); ++i) {
-    std::array<std::int64_t, 8> counts{};
-    for (std::size_t k = 0; k < counts.size(); ++k)
-      // None, where a generation was not kept.
-      if (std::abs(columns[k][i]) < 1e15)
-        counts[k] = static_cast<std::int64_t>(columns[k][i]);
-    censuses[i] = {counts[0], counts[1], counts[2], counts[3],
-                   counts[4], counts[5], counts[6], counts[7]};
-  }
-  return censuses;
+/// Counts by generation; 0 where one was not kept.
+std::vector<std::int64_t> ReadCounts(JsonReader& reader,
+                                     const JsonValue& census,
+                                     const std::string& name,
+                                     GenerationsReader& generations) {
+  reader.List(census, name,
+              [&](const JsonValue& one) { reader.Integer(one, 0, kMostInt); });
+  std::vector<std::int64_t> counts;
+  for (const double value : generations.Read(census, name))
+    counts.push_back(
+        value >= 0 && value <= kMostInt ? static_cast<std::int64_t>(value) : 0);
+  return counts;
 }
 
-/// No number for null.
-double ReadOptional(JsonReader& reader, const JsonValue& object,
-                    std::string_view key) {
-  const nlohmann::json* member = reader.Member(object, key);
-  return member == nullptr || member->is_null()
-             ? kNotKept
-             : reader.Number(JsonValue{*member, &object, std::string(key)});
+std::vector<CensusCounts> ReadCensuses(JsonReader& reader,
+                                       const JsonValue& census,
+                                       GenerationsReader& generations) {
+  std::vector<std::vector<std::int64_t>> columns;
+  for (const std::string& name : CensusColumns())
+    columns.push_back(ReadCounts(reader, census, name, generations));
+  std::vector<CensusCounts> censuses(columns.front().size());
+  for (std::size_t i = 0; i < censuses.size(); ++i)
+    censuses[i] = {columns[0][i], columns[1][i], columns[2][i], columns[3][i],
+                   columns[4][i], columns[5][i], columns[6][i], columns[7][i]};
+  return censuses;
 }
 
 void ReadPopulation(JsonReader& reader, const JsonValue& run,
@@ -203,28 +200,29 @@ void ReadPopulation(JsonReader& reader, const JsonValue& run,
   for (const Season& season : experiment.scenario.seasons)
     population.seasons.push_back(season.name);
   GenerationsReader generations(reader, run, experiment.generations);
-  With(reader, run, "series", [&](const JsonValue& all) {
+  reader.With(run, "series", [&](const JsonValue& all) {
     for (const ReportMeasure& measure : digest.measures)
-      With(reader, all, measure.id, [&](const JsonValue& seasons) {
+      reader.With(all, measure.id, [&](const JsonValue& seasons) {
         for (const std::string& season : population.seasons)
-          With(reader, seasons, season, [&](const JsonValue& one) {
+          reader.With(seasons, season, [&](const JsonValue& one) {
             population.series.push_back(ReadSeries(reader, one, generations));
           });
       });
   });
-  With(reader, run, "census", [&](const JsonValue& census) {
-    population.censuses = ReadCensuses(census, generations);
+  reader.With(run, "census", [&](const JsonValue& census) {
+    population.censuses = ReadCensuses(reader, census, generations);
   });
   reader.List(run, "servo_errors", [&](const JsonValue& one) {
-    population.errors.push_back({ReadOptional(reader, one, "median"),
-                                 ReadOptional(reader, one, "worst")});
+    population.errors.push_back(
+        {reader.NumberIfAny(one, "median").value_or(kNotKept),
+         reader.NumberIfAny(one, "worst").value_or(kNotKept)});
   });
 }
 
 Versions ReadVersions(JsonReader& reader, const JsonValue& value) {
   return {reader.Text(value, "plsc"), reader.Text(value, "ode"),
           reader.Text(value, "compiler"), reader.Text(value, "machine"),
-          static_cast<int>(reader.Integer(value, "results", 0, 1 << 30))};
+          static_cast<int>(reader.Integer(value, "results", 0, kMostInt))};
 }
 
 WorkDone ReadWork(JsonReader& reader, const JsonValue& value) {
@@ -261,6 +259,11 @@ void ReadKept(JsonReader& reader, const JsonValue& value, Digest& digest) {
   if (!reader.IsObject(value, kKnown)) return;
   const std::optional<StudyRun> place = ReadPlace(reader, value, digest.study);
   if (!place) return;
+  if (std::any_of(digest.runs.begin(), digest.runs.end(),
+                  [&](const DigestRun& other) { return other.run == *place; }))
+    reader.Error(
+        value, Code::kMisfit,
+        fmt::format("{} is there twice", RunName(digest.study, *place)));
   DigestRun one{*place, "", {}};
   RunReading& reading = one.reading;
   reading.state = RunState::kDone;
@@ -276,29 +279,20 @@ void ReadKept(JsonReader& reader, const JsonValue& value, Digest& digest) {
   facts.planned_generations = reading.experiment.generations;
   facts.planned_evaluations = Evaluations(reading.experiment);
   facts.evaluations = reader.Integer(value, "evaluations", 0, kMost);
-  With(reader, value, "versions", [&](const JsonValue& versions) {
+  reader.With(value, "versions", [&](const JsonValue& versions) {
     facts.versions = ReadVersions(reader, versions);
   });
-  With(reader, value, "work",
-       [&](const JsonValue& work) { facts.work = ReadWork(reader, work); });
-  With(reader, value, "best", [&](const JsonValue& best) {
-    facts.best = static_cast<int>(reader.Integer(best, "id", 1, 1 << 30));
+  reader.With(value, "work", [&](const JsonValue& work) {
+    facts.work = ReadWork(reader, work);
+  });
+  reader.With(value, "best", [&](const JsonValue& best) {
+    facts.best = static_cast<int>(reader.Integer(best, "id", 1, kMostInt));
     one.genotype = reader.Text(best, "genotype");
+    if (!Compile(Source("genotype", one.genotype)))
+      reader.Error(best, Code::kMisfit, "'genotype' does not compile");
   });
   ReadPopulation(reader, value, digest, reading.experiment, reading.population);
   if (reader.errors().empty()) AddRun(std::move(one), digest);
-}
-
-bool IsOfThisVersion(JsonReader& reader, const JsonValue& root) {
-  const auto version = reader.Integer(root, "plsc_digest", 1, 1 << 30);
-  if (version > kDigestVersion)
-    reader.Error(JsonValue{root.json["plsc_digest"], &root, "plsc_digest"},
-                 Code::kNewerVersion,
-                 fmt::format("this digest is of version {}, and this plsc "
-                             "reads version {}",
-                             version, kDigestVersion),
-                 "use a newer plsc");
-  return reader.errors().empty();
 }
 
 void ReadClaimsTexts(JsonReader& reader, const JsonValue& root,
@@ -346,7 +340,8 @@ Result<Digest> ParseDigest(const Source& source) {
     reader.Wrong(root, "an object");
     return reader.errors();
   }
-  if (!IsOfThisVersion(reader, root) || !reader.IsObject(root, kKnown))
+  if (!reader.IsReadable(root, "plsc_digest", kDigestVersion, "digest") ||
+      !reader.IsObject(root, kKnown))
     return reader.errors();
   const Result<Study> study =
       ParseStudy(Source("study", reader.Text(root, "study")));
@@ -358,13 +353,16 @@ Result<Digest> ParseDigest(const Source& source) {
   }
   digest.study = *study;
   ReadClaimsTexts(reader, root, digest);
-  digest.every = static_cast<int>(reader.Integer(root, "every", 1, 1 << 30));
+  digest.every = static_cast<int>(reader.Integer(root, "every", 1, kMostInt));
   reader.List(root, "measures", [&](const JsonValue& measure) {
     const auto found = ChooseMeasures(reader.Text(measure));
-    if (found && found->size() == 1)
-      digest.measures.push_back(found->front());
-    else
+    if (!found || found->size() != 1)
       reader.Error(measure, Code::kUnknownWord, "no measure has this name");
+    else if (std::find(digest.measures.begin(), digest.measures.end(),
+                       found->front()) != digest.measures.end())
+      reader.Error(measure, Code::kMisfit, "a measure is there twice");
+    else
+      digest.measures.push_back(found->front());
   });
   if (!reader.errors().empty()) return reader.errors();
   reader.List(root, "runs",

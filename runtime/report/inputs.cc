@@ -175,7 +175,24 @@ Inputs RunsAt(const std::string& path) {
   return RunsInFolder(folder.string());
 }
 
+/// The same run by a digest and by a store, or by two digests.
+bool IsSameRun(const ReportInput& one, const ReportInput& other) {
+  return (one.digest || other.digest) && one.label == other.label &&
+         one.expected && other.expected && *one.expected == *other.expected;
+}
+
+bool HasResults(const ReportInput& run) {
+  std::error_code error;
+  return run.digest ? run.kept != nullptr : fs::exists(run.path, error);
+}
+
 }  // namespace
+
+bool HasDigests(const ReportInputs& inputs) {
+  return std::any_of(
+      inputs.runs.begin(), inputs.runs.end(),
+      [](const ReportInput& run) { return run.digest != nullptr; });
+}
 
 Inputs FindRuns(const std::vector<std::string>& paths) {
   ReportInputs all;
@@ -185,6 +202,7 @@ Inputs FindRuns(const std::vector<std::string>& paths) {
     if (IsRelivedFile(path) && paths.size() > 1) continue;
     Inputs found = RunsAt(path);
     if (!found) return found;
+    const bool has_digests = HasDigests(all) || HasDigests(*found);
     all.title += (all.title.empty() ? "" : ", ") + found->title;
     const std::size_t studies = all.claims.size();
     for (StudyClaims& claims : found->claims)
@@ -195,7 +213,16 @@ Inputs FindRuns(const std::vector<std::string>& paths) {
       if (std::find(seen.begin(), seen.end(), canonical) != seen.end())
         continue;
       seen.push_back(std::move(canonical));
-      all.runs.push_back(std::move(run));
+      const auto same = has_digests
+                            ? std::find_if(all.runs.begin(), all.runs.end(),
+                                           [&](const ReportInput& one) {
+                                             return IsSameRun(one, run);
+                                           })
+                            : all.runs.end();
+      if (same == all.runs.end())
+        all.runs.push_back(std::move(run));
+      else if (!HasResults(*same))
+        *same = std::move(run);
     }
   }
   if (all.runs.empty())

@@ -44,6 +44,9 @@ struct ReportInputs {
   std::vector<StudyClaims> claims{};
 };
 
+/// Whether a run is of a digest, which has no stores to look into.
+bool HasDigests(const ReportInputs& inputs);
+
 /// Paths are folders of studies, folders of one of their experiments, folders
 /// of runs (*.sqlite), runs, and digests of studies. A run that several of them
 /// name is there once, and files of relived lives are left out.

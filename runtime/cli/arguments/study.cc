@@ -129,7 +129,7 @@ void Add(Options& options, StudyDigestCommand& command) {
       .ValueName("N");
   options.Flag("--quiet", command.quiet, "no summary; only what is wrong");
   options.Footer(
-      "Stores of a large study are gigabytes; its digest is some 10 KB a run, "
+      "Stores of a large study are gigabytes; its digest is some 7 KB a run, "
       "a line each,\nand can be committed beside a paper: 'plsc report FILE' "
       "makes the figures and tests\nof it again. Each line has the seed, the "
       "version, the command that makes the store\nanew, and the best robot's "

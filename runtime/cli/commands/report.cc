@@ -97,7 +97,7 @@ ReportedRuns ReportProblems(const StudyReport& report, Io& io) {
 /// cannot be lived by that is said, and left out.
 void CheckEngines(int most, StudyReport& report, Io& io) {
   for (ReportRun& run : report.runs) {
-    if (run.reading.facts.best == 0 || run.input.digest) continue;
+    if (run.reading.facts.best == 0) continue;
     const EngineKind other = UsesOde(run.reading.experiment.scenario)
                                  ? EngineKind::kArticulated
                                  : EngineKind::kOde;
@@ -130,9 +130,7 @@ bool ReliveRuns(int lives, bool is_quiet, const StudyReport& report, Io& io) {
   request.lives = lives;
   for (std::size_t i = 0; i < report.runs.size(); ++i) {
     const ReportRun& run = report.runs[i];
-    if (run.reading.population.generations <= report.generation ||
-        run.input.digest)
-      continue;
+    if (run.reading.population.generations <= report.generation) continue;
     const ReliveOutcome outcome = ReliveRun(
         run.input.path, request, std::nullopt,
         [&](std::int64_t done, std::int64_t total) {
@@ -212,6 +210,12 @@ Exit Run(const ReportCommand& command, Io& io) {
     return Complain(
         "this plsc was built without npm and has no pages; "
         "--format json and text work",
+        io);
+  if ((command.verify || command.relive || command.check_engine) &&
+      HasDigests(*inputs))
+    return Complain(
+        "--verify, --relive and --check-engine look into stores, and runs of a "
+        "digest have none; name the study's folder",
         io);
   ReadingLine line(io, !command.quiet);
   StudyReport report = BuildReport(

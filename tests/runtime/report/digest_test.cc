@@ -165,6 +165,42 @@ TEST_CASE("A measure that a digest lacks has no numbers") {
   }
 }
 
+std::string WithMeasuresTwice(std::string text) {
+  const std::string key = "\"measures\":[";
+  const std::size_t begin = text.find(key) + key.size();
+  const std::string first = text.substr(begin, text.find(',', begin) - begin);
+  return text.insert(begin, first + ",");
+}
+
+TEST_CASE("A run that a digest and its store both have counts once") {
+  const std::string& folder = ReportedStudy::Get().folder;
+  const std::string digest = Written(PrintDigest(AllRuns()));
+  Digest empty = AllRuns();
+  empty.runs.clear();
+  const std::string none = ReportedStudy::Get().scratch / "none.digest.json";
+  std::ofstream(none) << PrintDigest(empty);
+  const auto done = [](const StudyReport& report) {
+    int runs = 0;
+    for (const ReportRun& run : report.runs)
+      runs += run.reading.state == RunState::kDone ? 1 : 0;
+    return runs;
+  };
+  for (const std::vector<std::string>& paths :
+       std::vector<std::vector<std::string>>{{digest, folder},
+                                             {folder, digest},
+                                             {digest, none},
+                                             {none, digest},
+                                             {none, folder},
+                                             {digest, folder + "/plastic"}}) {
+    INFO(paths[0] << ' ' << paths[1]);
+    const auto inputs = FindRuns(paths);
+    REQUIRE(inputs);
+    const StudyReport report = BuildReport(*inputs, PaperMeasures(), {});
+    REQUIRE(report.runs.size() == 12);
+    REQUIRE(done(report) == 10);
+  }
+}
+
 TEST_CASE("What is no digest of its study is refused with the place") {
   const std::string text = PrintDigest(AllRuns());
   const auto changed = [&](const std::string& from, const std::string& to) {
@@ -185,6 +221,16 @@ TEST_CASE("What is no digest of its study is refused with the place") {
       changed("\"mean\":[", "\"mean\":[\"x\","),
       changed("\"seed\":\"", "\"seed\":\"1"),
       changed("\"best\":{\"id\":", "\"best\":{\"id\":-"),
+      changed("\"genotype\":\"plsc 1", "\"genotype\":\"plsc one"),
+      changed("\"genotypes\":[", "\"genotypes\":[-1,"),
+      changed("\"generations\":[0,", "\"generations\":[1,"),
+      changed("[\n{", "[\n" +
+                          text.substr(text.find("\"runs\":[\n") + 9,
+                                      text.find("},\n{") -
+                                          text.find("\"runs\":[\n") - 8) +
+                          ",\n{"),
+      "{\"plsc_digest\":2" + text.substr(kDigestMark.size() + 1),
+      WithMeasuresTwice(text),
   };
   for (const std::string& one : wrong) {
     INFO(one.substr(0, 2000));
