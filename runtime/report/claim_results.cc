@@ -5,9 +5,10 @@
 // interval.
 //
 // Corrected together are the greater and the less of one family, all that were
-// ever stated: their verdicts rest on p. Those of equal do not. Among the tests
-// of relived values, bodies and brains, which no other life changes, count with
-// the p that they have.
+// ever stated: their verdicts rest on p. Those of equal do not. A family is
+// corrected twice: of what is told first, where bodies and brains, which no
+// other life changes, stand beside relived behaviour; and of what is not, where
+// a claim that has nothing else stands with the same p.
 
 #include "runtime/report/claim_results.h"
 
@@ -15,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <optional>
 #include <utility>
@@ -50,11 +52,14 @@ class ClaimReader {
   }
 
   ClaimResult Read(std::size_t study, const StatedClaim& stated) const {
-    ClaimResult result{study, stated, {}, false, 1, {}, {}};
+    ClaimResult result{study, stated, {}, {}, false, 1, {}, {}};
     const Claim& claim = stated.claim;
     for (const std::string& experiment : claim.experiments)
       CountPlanned(study, experiment, result);
-    if (claim.seasons.size() > 1) result.planned.push_back(result.planned[0]);
+    if (claim.seasons.size() > 1) {
+      result.planned.push_back(result.planned[0]);
+      result.completed.push_back(result.completed[0]);
+    }
     result.recorded = Find(study, claim, Told::kRecorded);
     ClaimFinding relived = Find(study, claim, Told::kRelived);
     if (std::all_of(relived.runs.begin(), relived.runs.end(),
@@ -104,13 +109,18 @@ class ClaimReader {
   void CountPlanned(std::size_t study, const std::string& experiment,
                     ClaimResult& result) const {
     std::size_t planned = 0;
+    std::size_t completed = 0;
     for (std::size_t run = 0; run < report_.runs.size(); ++run) {
       if (!IsOf(run, study, experiment)) continue;
+      const RunReading& reading = report_.runs[run].reading;
       ++planned;
-      if (report_.runs[run].reading.state != RunState::kDone)
-        result.is_early = true;
+      if (reading.state != RunState::kDone) result.is_early = true;
+      if (report_.generation >= 0 &&
+          reading.population.generations > report_.generation)
+        ++completed;
     }
     result.planned.push_back(planned);
+    result.completed.push_back(completed);
   }
 
   /// By run.
@@ -199,19 +209,23 @@ bool IsCorrected(const ClaimResult& result) {
 
 using Family = std::vector<ClaimResult*>;
 
-/// Of its findings by `told`, that others count with what they have.
-void JudgeFamily(const Family& family, Told told) {
-  std::vector<std::optional<double>> p;
-  for (const ClaimResult* result : family)
-    p.push_back(told == Told::kRelived ? result->first().p
-                                       : result->recorded.p);
-  const auto adjusted = HolmAdjusted(p);
+void JudgeFamily(const Family& family) {
+  std::vector<std::optional<double>> first;
+  std::vector<std::optional<double>> second;
+  for (const ClaimResult* result : family) {
+    first.push_back(result->first().p);
+    second.push_back(result->IsRelivedFirst() || !result->relived
+                         ? result->recorded.p
+                         : result->relived->p);
+  }
+  const auto adjusted = HolmAdjusted(first);
+  const auto others = HolmAdjusted(second);
   for (std::size_t i = 0; i < family.size(); ++i) {
+    const bool is_relived_first = family[i]->IsRelivedFirst();
     family[i]->family = family.size();
-    if (told == Told::kRecorded)
-      family[i]->recorded.holm = adjusted[i];
-    else if (family[i]->relived)
-      family[i]->relived->holm = adjusted[i];
+    family[i]->recorded.holm = is_relived_first ? others[i] : adjusted[i];
+    if (family[i]->relived)
+      family[i]->relived->holm = is_relived_first ? adjusted[i] : others[i];
   }
 }
 
@@ -220,9 +234,7 @@ void Judge(std::vector<ClaimResult>& results) {
   for (ClaimResult& result : results)
     if (IsCorrected(result))
       families[{result.study, result.stated.claim.family}].push_back(&result);
-  for (const auto& [name, family] : families)
-    for (const Told told : {Told::kRelived, Told::kRecorded})
-      JudgeFamily(family, told);
+  for (const auto& [name, family] : families) JudgeFamily(family);
   for (ClaimResult& result : results) {
     const ClaimKind kind = result.stated.claim.kind;
     if (!IsOfTwo(kind)) continue;
@@ -232,6 +244,11 @@ void Judge(std::vector<ClaimResult>& results) {
 }
 
 }  // namespace
+
+bool ClaimResult::IsRelivedFirst() const {
+  return relived && std::equal(relived->runs.begin(), relived->runs.end(),
+                               recorded.runs.begin(), std::greater_equal<>());
+}
 
 std::vector<ClaimResult> ClaimResultsOf(const StudyReport& report) {
   std::vector<ClaimResult> results;

@@ -15,6 +15,9 @@ struct ClaimResult {
   std::size_t study = 0;  ///< index into StudyReport::claims
   StatedClaim stated;
   std::vector<std::size_t> planned;  ///< runs, of what is compared
+  /// Of these, those that have completed the generation that is compared. That
+  /// a finding has fewer says that the others have no such value.
+  std::vector<std::size_t> completed;
   /// Not all of these have completed all of their generations: a look ahead.
   bool is_early = false;
   std::size_t family = 1;  ///< tests that are corrected together
@@ -22,8 +25,12 @@ struct ClaimResult {
   /// By lives that were lived again, of measures that these may change.
   std::optional<ClaimFinding> relived;
 
-  /// What is told first: a record is one lucky draw.
-  const ClaimFinding& first() const { return relived ? *relived : recorded; }
+  /// A record is one lucky draw, so what was lived again is told first; but
+  /// only if it is of no fewer runs: who chose some of them chose a result.
+  bool IsRelivedFirst() const;
+  const ClaimFinding& first() const {
+    return IsRelivedFirst() ? *relived : recorded;
+  }
 };
 
 /// In the order of studies; of each as StatedClaims has them. A claim that was

@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "runtime/report/comparison.h"
 #include "runtime/report/rounded_json.h"
 
 namespace plsc {
@@ -91,9 +92,12 @@ Json ClaimJson(const StudyReport& report, const ClaimResult& result) {
                           ? VersionJson(study.record, *result.stated.withdrawn)
                           : Json(nullptr);
   json["runs_planned"] = result.planned;
+  json["runs_completed"] = result.completed;
   json["early"] = result.is_early;
   json["corrected_among"] = result.family;
   json["verdict"] = NameIn(kVerdictNames, result.first().verdict);
+  json["told"] = NameIn(
+      kToldNames, result.IsRelivedFirst() ? Told::kRelived : Told::kRecorded);
   json["relived"] =
       result.relived ? FindingJson(claim, *result.relived) : Json(nullptr);
   json["recorded"] = FindingJson(claim, result.recorded);

@@ -2,11 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
 #include "grammar/number.h"
 #include "grammar/shown_line.h"
+#include "runtime/report/comparison.h"
 
 namespace plsc {
 
@@ -23,57 +25,81 @@ std::string RangeText(const Interval& interval) {
   return fmt::format("{} to {}", Digits(interval.low), Digits(interval.high));
 }
 
-/// "20 + 20 runs", and how many are planned where not all are there.
-std::string RunsText(const ClaimResult& result, const ClaimFinding& finding) {
+/// What is told, of one of a claim's findings.
+struct Telling {
+  const ClaimResult& result;
+  const ClaimFinding& finding;
+  std::string unit;  // with a blank before it; or empty
+  Told told;
+};
+
+/// Why runs that are there have no value.
+const char* WhyNone(const Telling& telling) {
+  if (telling.told == Told::kRelived) return "not lived again";
+  return telling.result.stated.claim.kind == ClaimKind::kMinimumBefore
+             ? "without a whole curve"
+             : "not measured";
+}
+
+/// "20 + 20 runs", how many are planned where not all are there, and how many
+/// are there without a value.
+std::string RunsText(const Telling& telling) {
+  const ClaimFinding& finding = telling.finding;
   const auto joined = [&](const std::vector<std::size_t>& counts) {
     return finding.is_paired ? std::to_string(counts[0])
                              : fmt::format("{}", fmt::join(counts, " + "));
   };
-  return joined(finding.runs) + " runs" +
-         (finding.runs == result.planned
-              ? ""
-              : fmt::format(" ({} planned)", joined(result.planned)));
+  std::string text = joined(finding.runs) + " runs";
+  if (finding.runs == telling.result.planned) return text;
+  text += fmt::format(" ({} planned", joined(telling.result.planned));
+  const std::vector<std::size_t>& completed = telling.result.completed;
+  std::vector<std::size_t> without;
+  for (std::size_t i = 0; i < finding.runs.size(); ++i)
+    without.push_back(completed[i] - std::min(completed[i], finding.runs[i]));
+  if (finding.runs != completed)
+    text += fmt::format(", {} {}", joined(without), WhyNone(telling));
+  return text + ")";
 }
 
 std::string RatioText(const ClaimFinding& finding) {
   return finding.ratio ? fmt::format(", ratio {}", Digits(*finding.ratio)) : "";
 }
 
-std::string TwoText(const ClaimResult& result, const ClaimFinding& finding,
-                    const std::string& unit) {
+std::string TwoText(const Telling& telling) {
+  const ClaimFinding& finding = telling.finding;
   std::string text =
       fmt::format("medians {} and {}{} of {}{}", Digits(finding.medians[0]),
-                  Digits(finding.medians[1]), unit, RunsText(result, finding),
+                  Digits(finding.medians[1]), telling.unit, RunsText(telling),
                   RatioText(finding));
   if (!finding.effect) return text;
   text += fmt::format("; A {} ({})", Digits(finding.effect->a),
                       RangeText(finding.effect->interval));
   text += fmt::format(", p {}", Digits(*finding.p));
   if (finding.holm)
-    text +=
-        fmt::format(", {} by Holm of {}", Digits(*finding.holm), result.family);
+    text += fmt::format(", {} by Holm of {}", Digits(*finding.holm),
+                        telling.result.family);
   return text;
 }
 
-std::string OneText(const ClaimResult& result, const ClaimFinding& finding,
-                    const std::string& unit) {
-  const Claim& claim = result.stated.claim;
+std::string OneText(const Telling& telling) {
+  const ClaimFinding& finding = telling.finding;
+  const Claim& claim = telling.result.stated.claim;
   if (claim.kind == ClaimKind::kMinimumBefore)
     return fmt::format(
         "lowest in generation {}; so in {} of {}{}",
         finding.minimum ? std::to_string(*finding.minimum) : "-",
-        finding.runs_so, RunsText(result, finding),
+        finding.runs_so, RunsText(telling),
         finding.interval
             ? fmt::format(" (a share of {})", RangeText(*finding.interval))
             : "");
-  return fmt::format("{} {}{}{} of {}, published {}{}{}",
-                     NameIn(kOverRunsNames, claim.over_runs),
-                     finding.ours ? Digits(*finding.ours) : "-",
-                     finding.interval
-                         ? fmt::format(" ({})", RangeText(*finding.interval))
-                         : "",
-                     unit, RunsText(result, finding),
-                     PrintPlainNumber(claim.value), unit, RatioText(finding));
+  return fmt::format(
+      "{} {}{}{} of {}, published {}{}{}",
+      NameIn(kOverRunsNames, claim.over_runs),
+      finding.ours ? Digits(*finding.ours) : "-",
+      finding.interval ? fmt::format(" ({})", RangeText(*finding.interval))
+                       : "",
+      telling.unit, RunsText(telling), PrintPlainNumber(claim.value),
+      telling.unit, RatioText(finding));
 }
 
 std::string StatedText(const ClaimsRecord& record, const ClaimResult& result) {
@@ -102,16 +128,25 @@ std::string ResultText(const StudyReport& report, const ClaimResult& result) {
                   claim.of == ClaimOf::kBest ? " of the best" : "",
                   WhatIsClaimed(claim),
                   claim.kind == ClaimKind::kValue ? unit : ""));
-  const auto numbers = [&](const ClaimFinding& finding) {
-    return IsOfTwo(claim.kind) ? TwoText(result, finding, unit)
-                               : OneText(result, finding, unit);
+  const auto tell = [&](const std::string& begin, Told told) {
+    const ClaimFinding& finding =
+        told == Told::kRelived ? *result.relived : result.recorded;
+    const Telling telling{result, finding, unit, told};
+    add(begin + (IsOfTwo(claim.kind) ? TwoText(telling) : OneText(telling)));
   };
-  if (result.relived) add("relived: " + numbers(*result.relived));
-  add((result.relived
-           ? fmt::format("recorded ({}): ",
-                         NameIn(kVerdictNames, result.recorded.verdict))
-           : "") +
-      numbers(result.recorded));
+  if (!result.relived) {
+    tell("", Told::kRecorded);
+  } else {
+    const bool is_relived = result.IsRelivedFirst();
+    const Told first = is_relived ? Told::kRelived : Told::kRecorded;
+    const Told other = is_relived ? Told::kRecorded : Told::kRelived;
+    tell(fmt::format("{}: ", NameIn(kToldNames, first)), first);
+    tell(fmt::format(
+             "{} ({}): ", NameIn(kToldNames, other),
+             NameIn(kVerdictNames, is_relived ? result.recorded.verdict
+                                              : result.relived->verdict)),
+         other);
+  }
   add(StatedText(report.claims[result.study].record, result));
   if (!claim.source.empty()) add("source: " + claim.source);
   return text;

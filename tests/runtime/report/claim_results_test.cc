@@ -116,30 +116,70 @@ TEST_CASE("A course needs the generation that it speaks of",
 
 TEST_CASE("Of relived lives a claim has a finding of its own",
           "[claim_results]") {
-  StudyReport report = ClaimedStudy({SizeClaim(ClaimKind::kGreater, "bigger"),
-                                     SizeClaim(ClaimKind::kLess, "slower")});
-  report.measures = *ChooseMeasures("size,speed");
-  report.claims[0].record[0].claims[1].measure = "speed";
-  for (ReportRun& run : report.runs) {
-    auto& series = run.reading.population.series;
-    series.push_back(series[0]);
-    series.push_back(series[1]);
-    run.relived.state = RelivedState::kHere;
-    run.relived.generation.seasons = 2;
-    RelivedMeasure relived;
-    // The other way round, in m/s.
-    relived.mean = 1 - series[0].means[1] / 100;
-    run.relived.generation.measures.assign(2 * RelivedMeasures().size(),
-                                           relived);
-  }
+  StudyReport report = test::RelivedClaims();
   const auto results = ClaimResultsOf(report);
   CHECK_FALSE(results[0].relived);
+  CHECK_FALSE(results[0].IsRelivedFirst());
   REQUIRE(results[1].relived);
+  CHECK(results[1].IsRelivedFirst());
   CHECK(results[1].relived->medians == std::vector<double>{88, 98});
   CHECK(results[1].relived->verdict == Verdict::kHolds);
   CHECK(results[1].recorded.verdict == Verdict::kOpposite);
   CHECK(*results[1].relived->holm == Approx(4.0 / 252));
   CHECK(ClaimsSummary(results) == "2 claims: 2 hold");
+
+  // Of fewer runs they are told second, each family by itself.
+  report.runs[0].relived.state = RelivedState::kMissing;
+  const auto fewer = ClaimResultsOf(report);
+  REQUIRE(fewer[1].relived);
+  CHECK(fewer[1].relived->runs == std::vector<std::size_t>{4, 5});
+  CHECK_FALSE(fewer[1].IsRelivedFirst());
+  CHECK(fewer[1].first().verdict == Verdict::kOpposite);
+  CHECK(*fewer[1].recorded.holm == Approx(4.0 / 252));
+  CHECK(*fewer[1].relived->holm == Approx(2.0 / 126));
+  CHECK(ClaimsSummary(fewer) == "2 claims: 1 holds, 1 opposite");
+}
+
+TEST_CASE("Runs that did not measure what is claimed are counted",
+          "[claim_results]") {
+  Claim seasons = SizeClaim(ClaimKind::kLess, "seasons");
+  seasons.experiments = {"b"};
+  seasons.seasons = {"flat", "tilted"};
+  Claim value = SizeClaim(ClaimKind::kValue, "value");
+  StudyReport report =
+      ClaimedStudy({SizeClaim(ClaimKind::kGreater, "bigger"), seasons, value,
+                    SizeClaim(ClaimKind::kEqual, "as big")});
+  for (ReportRun& run : report.runs)
+    for (Series& series : run.reading.population.series)
+      series.means = series.best = {NAN, NAN};
+  for (const ClaimResult& one : ClaimResultsOf(report)) {
+    INFO(one.stated.claim.name);
+    CHECK(one.completed == one.planned);
+    for (const std::size_t runs : one.recorded.runs) CHECK(runs == 0);
+    CHECK(one.first().verdict == Verdict::kTooFewRuns);
+  }
+}
+
+TEST_CASE("A single run, and runs that are all the same, show nothing",
+          "[claim_results]") {
+  const std::vector<Claim> claims{SizeClaim(ClaimKind::kGreater, "bigger"),
+                                  SizeClaim(ClaimKind::kEqual, "as big"),
+                                  SizeClaim(ClaimKind::kValue, "value")};
+  StudyReport one = ClaimedStudy(claims);
+  for (std::size_t i = 1; i < one.runs.size(); ++i)
+    one.runs[i].reading = RunReading();
+  for (const ClaimResult& result : ClaimResultsOf(one)) {
+    CHECK(result.recorded.runs[0] == 1);
+    CHECK(result.first().verdict == Verdict::kTooFewRuns);
+  }
+  StudyReport same = ClaimedStudy(claims);
+  for (ReportRun& run : same.runs)
+    run.reading.population.series[0].means = {3, 3};
+  const auto results = ClaimResultsOf(same);
+  CHECK(results[0].first().verdict == Verdict::kNotShown);
+  CHECK(results[0].first().p == 1);
+  CHECK(results[0].first().effect->a == 0.5);
+  CHECK(results[1].first().verdict == Verdict::kTooFewRuns);
 }
 
 TEST_CASE("A report reads the claims of a study's folder, and what they need",

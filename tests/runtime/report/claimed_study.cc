@@ -59,4 +59,23 @@ StudyReport ClaimedStudy(const std::vector<Claim>& claims) {
   return report;
 }
 
+StudyReport RelivedClaims() {
+  StudyReport report = ClaimedStudy({SizeClaim(ClaimKind::kGreater, "bigger"),
+                                     SizeClaim(ClaimKind::kLess, "slower")});
+  report.measures = *ChooseMeasures("size,speed");
+  report.claims[0].record[0].claims[1].measure = "speed";
+  for (ReportRun& run : report.runs) {
+    auto& series = run.reading.population.series;
+    series.push_back(series[0]);
+    series.push_back(series[1]);
+    run.relived.state = RelivedState::kHere;
+    run.relived.generation.seasons = 2;
+    RelivedMeasure relived;
+    relived.mean = 1 - series[0].means[1] / 100;  // m/s
+    run.relived.generation.measures.assign(2 * RelivedMeasures().size(),
+                                           relived);
+  }
+  return report;
+}
+
 }  // namespace plsc::test

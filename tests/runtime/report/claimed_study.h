@@ -14,4 +14,8 @@ Claim SizeClaim(ClaimKind kind, const std::string& name);
 /// have twice as much.
 StudyReport ClaimedStudy(const std::vector<Claim>& claims);
 
+/// Claims that a is bigger, and slower, than b. Recorded speeds are as sizes
+/// are, relived ones the other way round.
+StudyReport RelivedClaims();
+
 }  // namespace plsc::test

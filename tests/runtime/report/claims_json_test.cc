@@ -28,6 +28,8 @@ TEST_CASE("The JSON of a claim says what, since when, and what was found",
   CHECK(json[0]["kind"] == "greater");
   CHECK(json[0]["verdict"] == "holds");
   CHECK(json[0]["relived"].is_null());
+  CHECK(json[0]["told"] == "recorded");
+  CHECK(json[0]["runs_completed"] == nlohmann::json{5, 5});
   CHECK(json[0]["withdrawn"].is_null());
   CHECK(json[0]["stated"]["when"] == "before the first run");
   const auto& found = json[0]["recorded"];

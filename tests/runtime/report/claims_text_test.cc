@@ -1,6 +1,7 @@
 #include "runtime/report/claims_text.h"
 
 #include <catch2/catch.hpp>
+#include <cmath>
 
 #include "tests/runtime/report/claimed_study.h"
 
@@ -44,12 +45,37 @@ too few runs  value
 
 too few runs  course
               Size: a, flat: lowest before generation 2
-              lowest in generation -; so in 0 of 0 runs (5 planned)
+              lowest in generation -; so in 0 of 0 runs (5 planned, 4 without a whole curve)
               stated 2026-11-30T12:00:00Z before the first run
 
 4 claims: 1 holds, 3 too few runs
 )");
   CHECK(text.starts_with(kClaimsMark));
+}
+
+TEST_CASE("Text of claims says which values a verdict rests on, and of whom",
+          "[claims_text]") {
+  StudyReport report = test::RelivedClaims();
+  const auto tells = [&](const std::string& part) {
+    const std::string text = ClaimsText(report, ClaimResultsOf(report));
+    INFO(text);
+    CHECK(text.find(part) != std::string::npos);
+  };
+  tells("relived: medians 88 and 98 cm/s of 5 + 5 runs, ratio 0.898; A 0 ");
+  tells("recorded (opposite): medians 12 and 2 cm/s of 5 + 5 runs, ratio 6;");
+  report.runs[0].relived.state = RelivedState::kMissing;
+  tells("opposite      slower\n");
+  tells("recorded: medians 12 and 2 cm/s of 5 + 5 runs, ratio 6;");
+  tells(
+      "relived (holds): medians 87.5 and 98 cm/s of 4 + 5 runs (5 + 5 planned, "
+      "1 + 0 not lived again)");
+  for (ReportRun& run : report.runs) {
+    run.relived.state = RelivedState::kMissing;
+    run.reading.population.series[2].means = {NAN, NAN};
+  }
+  tells("too few runs  slower\n");
+  tells(
+      "medians - and - cm/s of 0 + 0 runs (5 + 5 planned, 5 + 5 not measured)");
 }
 
 }  // namespace plsc

@@ -9,11 +9,11 @@ const interval = (limits) => (limits ? ` (${number(limits[0])} to ${number(limit
 
 const badge = (verdict) => element("span", { class: `verdict ${verdict.replaceAll(" ", "-")}` }, `${marks[verdict]} ${verdict}`);
 
-// By whom: relived values first, if the claim has any.
-const findingsOf = (claim) => [
-  ...(claim.relived ? [["relived", claim.relived]] : []),
-  ["recorded", claim.recorded],
-];
+// By whom, what the verdict rests on first.
+const findingsOf = (claim) => {
+  const told = claim.told === "relived" ? ["relived", "recorded"] : ["recorded", "relived"];
+  return told.filter((one) => claim[one]).map((one) => [one, claim[one]]);
+};
 
 const statedText = ({ at, when }) => `${at} ${when}`;
 
@@ -35,9 +35,18 @@ function words(data, claim, measure) {
   );
 }
 
-function runsText(claim, { runs, paired }) {
+// Why runs that are there have no value.
+function whyNone(claim, told) {
+  if (told === "relived") return "not lived again";
+  return claim.kind === "minimum_before" ? "without a whole curve" : "not measured";
+}
+
+function runsText(claim, told, { runs, paired }) {
   const joined = (counts) => (paired ? String(counts[0]) : counts.join(" + "));
-  return joined(runs) === joined(claim.runs_planned) ? joined(runs) : `${joined(runs)} of ${joined(claim.runs_planned)}`;
+  if (joined(runs) === joined(claim.runs_planned)) return joined(runs);
+  const without = claim.runs_completed.map((completed, i) => Math.max(0, completed - runs[i]));
+  const why = without.some((count) => count > 0) ? `, ${joined(without)} ${whyNone(claim, told)}` : "";
+  return `${joined(runs)} of ${joined(claim.runs_planned)}${why}`;
 }
 
 function effectText(claim, finding) {
@@ -60,7 +69,7 @@ function rowsOf(data, claim) {
     verdict: badge(finding.verdict),
     claim: i === 0 ? words(data, claim, measure) : "",
     told,
-    runs: runsText(claim, finding),
+    runs: runsText(claim, told, finding),
     medians: mediansText(claim, finding, measure.unit),
     ratio: finding.ratio === undefined ? "–" : number(finding.ratio),
     effect: effectText(claim, finding),
@@ -129,7 +138,9 @@ function notesOf(data) {
   const kinds = new Set(claims.map(({ kind }) => kind));
   const isTwo = ["greater", "less", "equal"].some((kind) => kinds.has(kind));
   const counts = claims.filter(({ kind }) => kind === "greater" || kind === "less").map(({ corrected_among }) => corrected_among);
+  const isRelived = claims.some(({ relived }) => relived);
   return [
+    isRelived ? "The verdict rests on relived values where all runs with a record have them, otherwise on recorded ones; it stands first, and the other values below it with theirs." : null,
     isTwo ? "A is Vargha and Delaney's, the probability that a run of the first is above one of the second (of seasons, in the same run), with a 95 % bootstrap interval; p is Wilcoxon's, two-sided." : null,
     counts.length ? `Greater and less hold if p, by Holm's correction of ${range(counts)} claims, is below 0.05.` : null,
     kinds.has("equal") ? "Equal holds if the interval of A lies within 0.36 to 0.64, no more than a small effect, and its opposite is shown if it lies outside; a p above 0.05 shows nothing." : null,

@@ -80,7 +80,17 @@ TEST_CASE("claims are stated before the first run, and changes are told",
   const std::string digest = claiming.folder / "tiny.digest.json";
   REQUIRE(RunPlsc({"study", "digest", claiming.results, "-o", digest}).exit ==
           0);
-  CHECK(RunPlsc({"report", digest, "--format", "text"}).out == report.out);
+  // Named in several ways, a study claims once, and of all of its runs.
+  const std::string run = claiming.results + "/plastic/2.sqlite";
+  for (const std::vector<std::string>& named :
+       std::vector<std::vector<std::string>>{{digest},
+                                             {claiming.results, digest},
+                                             {digest, claiming.results},
+                                             {run, claiming.results}}) {
+    std::vector<std::string> command{"report", "--format", "text"};
+    command.insert(command.end(), named.begin(), named.end());
+    CHECK(RunPlsc(command).out == report.out);
+  }
 }
 
 TEST_CASE("a record of claims that was edited stops a study, and is told",
