@@ -32,6 +32,11 @@ void Add(Options& options, LiveCommand& command) {
            "processes that live robots at once (default: 2)")
       .Range(1, 64)
       .ValueName("N");
+  options
+      .Add("--idle", command.idle,
+           "ends when no page has been open for so long (default: at Ctrl-C)")
+      .NotNegative()
+      .ValueName("SECONDS");
   options.Flag("--open", command.open, "opens the page in your browser");
   options.Footer(
       "Prints an address and serves its page until Ctrl-C: an editor with what "

@@ -2,6 +2,7 @@
 
 // A page that stays: an editor, its robot and its lives, joined with a file.
 
+#include <optional>
 #include <string>
 
 #include "runtime/cli/files/io.h"
@@ -16,6 +17,8 @@ struct LiveCommand {
   int port = 0;          ///< 0: one that is free
   std::string host = "127.0.0.1";
   int jobs = 2;       ///< processes that live robots
+  /// s without a page that is open after which it ends; nothing: never.
+  std::optional<double> idle;
   bool open = false;  ///< in the browser, too
 };
 void Add(Options& options, LiveCommand& command);

@@ -82,7 +82,10 @@ Exit Run(const LiveCommand& command, Io& io) {
   io.out.flush();
   io.err << fmt::format("serving {}; Ctrl-C ends it\n", Escaped(command.input));
   if (command.open) OpenInBrowser(address, io);
-  while (!InterruptHandler::is_interrupted()) (*live)->Step();
+  while (!InterruptHandler::is_interrupted()) {
+    (*live)->Step();
+    if (command.idle && (*live)->Idle().count() >= *command.idle) break;
+  }
   return Exit::kFine;
 }
 

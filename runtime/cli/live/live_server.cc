@@ -63,7 +63,7 @@ Expected<std::unique_ptr<LiveServer>, Failure> LiveServer::Begin(
         raw->Handle(std::move(request), std::move(respond),
                     std::move(is_wanted));
       });
-  live->looked_ = std::chrono::steady_clock::now();
+  live->looked_ = live->open_ = std::chrono::steady_clock::now();
   return live;
 }
 
@@ -99,8 +99,13 @@ void LiveServer::Handle(Request request, server::HttpServer::Respond respond,
   respond(std::move(events));
 }
 
+std::chrono::duration<double> LiveServer::Idle() const {
+  return std::chrono::steady_clock::now() - open_;
+}
+
 void LiveServer::Look() {
   const auto now = std::chrono::steady_clock::now();
+  if (server_->listeners() > 0) open_ = now;
   if (now - looked_ < kBetweenLooks) return;
   looked_ = now;
   for (const auto& [name, data] : subject_->Look())

@@ -33,6 +33,8 @@ class LiveServer {
   std::string address() const;
   /// Whether no other machine reaches it.
   bool is_private() const;
+  /// Since a page was open last, or since the beginning.
+  std::chrono::duration<double> Idle() const;
   /// Does what is to be done, at most some 25 ms if that is nothing.
   void Step();
 
@@ -55,6 +57,7 @@ class LiveServer {
   std::string token_;
   bool is_busy_ = false;
   std::chrono::steady_clock::time_point looked_;
+  std::chrono::steady_clock::time_point open_;  // when a page was, last
 };
 
 }  // namespace plsc::cli
