@@ -23,15 +23,13 @@ Work Later(const std::function<Work()>& make_work) {
   };
 }
 
-/// Whether a question is about lives or bodies, which editing must not wait
-/// for. What is no JSON is answered at once.
+/// Whether it may take long, which editing must not wait for.
 bool IsLong(const std::string& text) {
   const Json json = Json::parse(text, nullptr, false);
   if (!json.is_object() || !json.contains("ask") || !json["ask"].is_string())
     return false;
   const auto& ask = json["ask"].get_ref<const std::string&>();
-  return ask == "live" || ask == "explain" || ask == "develop" ||
-         ask == "picture" || ask == "compare";
+  return ask == "live" || ask == "explain" || ask == "picture";
 }
 
 }  // namespace
