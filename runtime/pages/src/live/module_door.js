@@ -5,23 +5,17 @@ import { unpack } from "./packed.js";
 
 const longest = 20000; // ms that one answer may take
 
-// Runs in the worker, after the module's own glue, which defines plsc(options).
+// Runs in the worker, behind the glue, which defines openPlsc.
 function serve() {
-  let answer = null;
+  let plsc = null;
   self.onmessage = async ({ data }) => {
     try {
-      if (data.module) {
-        const instantiateWasm = (imports, done) => {
-          WebAssembly.instantiate(data.module, imports).then((instance) => done(instance, data.module));
-          return {};
-        };
-        const made = await self.plsc({ instantiateWasm, print() {}, printErr() {} });
-        made.ccall("plsc_open", null, [], []);
-        answer = made.cwrap("plsc_answer", "string", ["string"]);
+      if (data.wasm) {
+        plsc = await openPlsc(data.wasm);
         self.postMessage({ isReady: true });
-        return;
+      } else {
+        self.postMessage({ answer: plsc.answer(data.request) });
       }
-      self.postMessage({ answer: answer(data.request) });
     } catch (error) {
       self.postMessage({ fault: String(error?.message ?? error) });
     }
@@ -47,14 +41,14 @@ class Lane {
       return;
     }
     if (this.started !== started) return;
-    const { code, module } = parts;
+    const { code, wasm } = parts;
     const url = URL.createObjectURL(new Blob([code], { type: "text/javascript" }));
     this.worker = new Worker(url);
     URL.revokeObjectURL(url);
     this.isReady = false;
     this.worker.onmessage = ({ data }) => this.#heard(data);
     this.worker.onerror = (event) => this.end(`plsc stopped: ${event.message}`);
-    this.worker.postMessage({ module });
+    this.worker.postMessage({ wasm });
   }
 
   #heard({ isReady, answer, fault }) {
@@ -95,13 +89,12 @@ class Lane {
 }
 
 export class ModuleDoor {
-  // {glue, wasm}: base64 of gzip of what `cmake --preset web` made.
-  constructor({ glue, wasm }) {
+  // `packed`: base64 of the module's bytes in gzip; `glue`: the script that
+  // opens them.
+  constructor(packed, glue) {
     this.onRestart = () => {};
-    this.parts = Promise.all([unpack(glue), unpack(wasm)]).then(async ([text, bytes]) => ({
-      code: `${new TextDecoder().decode(text)}\n(${serve})();`,
-      module: await WebAssembly.compile(bytes),
-    }));
+    const code = `${glue}\n(${serve})();`;
+    this.parts = unpack(packed).then((wasm) => ({ code, wasm }));
     this.lives = new Lane(this.parts, () => {});
     this.language = new Lane(this.parts, () => this.onRestart());
     this.ids = 0;

@@ -84,7 +84,6 @@ export class LanguageClient {
   }
 
   #open() {
-    this.isOpen = true;
     const textDocument = {
       completion: { completionItem: { snippetSupport: true } },
       hover: { contentFormat: ["markdown"] },
@@ -92,6 +91,7 @@ export class LanguageClient {
     const opening = this.request("initialize", { processId: null, rootUri: null, capabilities: { textDocument } });
     opening.then((result) => (this.legend = result?.capabilities.semanticTokensProvider?.legend.tokenTypes ?? []));
     this.#notify("initialized", {});
+    this.isOpen = true; // texts may follow
     if (this.environment) this.#command();
   }
 
