@@ -1,5 +1,6 @@
 // What one can take along.
-import { download, element } from "../common/dom.js";
+import { download } from "../common/dom.js";
+import { menu } from "./menu.js";
 
 const stem = (name) => name.replace(/\.pls$/, "");
 
@@ -22,28 +23,4 @@ export function downloadMenu(door, state, say) {
     ["Recording of the life (.rec.json)", recording],
   ];
   return menu("Download", entries);
-}
-
-// A button that opens a list of things to do.
-export function menu(label, entries) {
-  const close = () => (object.open = false);
-  const object = element(
-    "details",
-    { class: "menu" },
-    element("summary", {}, label),
-    element(
-      "ul",
-      {},
-      entries.map(([text, act, note]) =>
-        element("li", {}, element("button", { type: "button", onclick: () => (close(), act()) }, text, note ? element("span", { class: "quiet" }, note) : null)),
-      ),
-    ),
-  );
-  object.addEventListener("keydown", (event) => {
-    if (event.key !== "Escape" || !object.open) return;
-    close();
-    object.firstChild.focus();
-  });
-  document.addEventListener("pointerdown", (event) => object.contains(event.target) || close());
-  return object;
 }

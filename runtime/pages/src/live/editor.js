@@ -34,6 +34,7 @@ export class Editor {
         lintGutter(),
         highlightActiveLine(),
         highlightActiveLineGutter(),
+        EditorView.lineWrapping,
         history(),
         bracketMatching(),
         closeBrackets(),

@@ -5,6 +5,7 @@ import { Clock } from "../view/clock.js";
 import { cameraControls, clockControls } from "../view/controls.js";
 import { readLife } from "../view/life.js";
 import { Stage, contextOf } from "../view/stage.js";
+import { panel } from "./menu.js";
 import { Pane } from "./pane.js";
 
 const mostBeside = 3; // seasons
@@ -23,7 +24,7 @@ export class LifeView {
     this.lives = [];
     this.panes = [];
     this.canvas = element("canvas", { class: "picture", "aria-label": "The robot in 3-D", role: "img" });
-    this.box = element("div", { class: "stage" }, this.canvas);
+    this.box = element("div", { class: "stage empty" }, this.canvas);
     this.bar = element("input", { type: "range", min: 0, step: 0.02, value: 0, "aria-label": "Time, seconds", oninput: () => this.clock.go(Number(this.bar.value)) });
     this.tools = element("div", { class: "tools" }, clockControls(this.clock, (direction) => this.#jump(direction)));
     this.object = element("section", { class: "lives", "aria-label": "Lives" }, this.box, this.bar, this.tools);
@@ -50,6 +51,7 @@ export class LifeView {
       this.panes.push(new Pane());
       this.box.append(this.panes.at(-1).object);
     }
+    this.box.classList.remove("empty");
     this.box.style.setProperty("--lives", this.lives.length);
     this.panes.forEach((pane, i) => pane.setLife(this.lives[i], before));
     if (this.context) this.#stage(life.recording.name);
@@ -64,7 +66,7 @@ export class LifeView {
     const surfaces = this.panes.map((pane) => pane.surface);
     if (this.stage) return this.stage.setLives(this.lives, surfaces);
     this.stage = new Stage(this.canvas, this.context, this.lives, surfaces);
-    this.tools.append(cameraControls(this.stage, () => this.#savePicture()));
+    this.tools.append(panel("Camera", cameraControls(this.stage, () => this.#savePicture())));
   }
 
   #pose() {

@@ -4,13 +4,16 @@ import "./main.css";
 import { readData } from "../common/data.js";
 import { element } from "../common/dom.js";
 import { Changes } from "./changes.js";
+import { Choices } from "./choices.js";
 import { openDoor } from "./door.js";
-import { downloadMenu, menu } from "./downloads.js";
+import { downloadMenu } from "./downloads.js";
 import { Editor } from "./editor.js";
 import { Follow } from "./follow.js";
 import { Lab } from "./lab.js";
 import { LifeView } from "./lives.js";
+import { menu, panel } from "./menu.js";
 import { Parameters } from "./parameters.js";
+import { ScenarioPanel, usual } from "./scenario.js";
 import { linkOf, robotOfLink } from "./share.js";
 import { Versions } from "./versions.js";
 import { Workings } from "./workings.js";
@@ -19,55 +22,70 @@ const typing = 80; // ms of rest after which a text is made into a robot
 
 const data = readData();
 const door = openDoor(data);
-const robot = { name: data.name ?? "robot.pls", scenario: data.scenario ?? "" };
-let last = null; // what lived last: {text, scenario, page, seasons, view}
-let isSliding = false;
+const robot = { name: data.name ?? "robot.pls", scenario: data.scenario || usual, genotype: "" };
+let last = null; // what lived last: {input, text, scenario, page, seasons, view}
+let editor = null;
+let parameters = null;
+let follow = null;
 
+const title = element("h1", {}, robot.name);
 const status = element("p", { class: "status", role: "status" });
 const wrong = element("p", { class: "wrong", role: "alert", hidden: true });
-const title = element("h1", {}, robot.name);
+
 function say(text, isWrong = false) {
   status.textContent = text;
   status.classList.toggle("bad", isWrong);
 }
+
+// The last good robot stays in view, greyed, while there is a fault.
 function complain(text) {
   wrong.hidden = !text;
-  if (text && wrong.textContent !== text) wrong.textContent = text;
-  right.classList.toggle("stale", Boolean(text));
+  if (wrong.textContent !== text) wrong.textContent = text;
+  right.classList.toggle("stale", text !== "");
 }
 
 const lives = new LifeView();
 const changes = new Changes();
 const workings = new Workings((ranges, hasMoved) => {
-  editor?.light(ranges);
+  if (!editor || editor.text !== workings.robot.text) return;
+  editor.light(ranges);
   const first = ranges.find((range) => range.name === "lit");
   if (first && hasMoved) editor.scrollTo(first.from);
 });
 const versions = new Versions((version) => {
   setScenario(version.scenario);
   editor.setText(version.text);
+  make(0);
+});
+const scenario = new ScenarioPanel(door, (yaml) => {
+  robot.scenario = yaml;
+  make(0);
+});
+const choices = new Choices({
+  onGenotype(genotype) {
+    robot.genotype = genotype;
+    make(0);
+  },
+  onEnvironment: (environment) => editor.client.choose(environment),
 });
 
 const lab = new Lab(door, {
-  onBusy: (isBusy) => document.body.toggleAttribute("aria-busy", isBusy),
+  onBusy: (isBusy) => right.setAttribute("aria-busy", String(isBusy)),
   onWrong: ({ error }) => complain(error),
-  onRobot(page) {
+  onRobot: (page) => workings.show(page),
+  onLife(life, page, input, milliseconds) {
     complain("");
-    workings.show(page);
-    pending = page;
-  },
-  onLife({ seasons, view }, { text, scenario }, milliseconds) {
-    const now = { text, scenario, page: pending, seasons: speedsOf(view), view };
-    last = now;
-    const before = versions.before(now);
-    lives.show(view.lives[0], before && new Map(before.seasons.map((season) => [season.name, season.speed])));
-    versions.offer(now);
-    compare(before, now);
-    if (!follow) say(`lived in ${Math.round(milliseconds)} ms`);
+    const { recording } = life.view.lives[0];
+    const seasons = recording.seasons.map(({ name, speed }) => ({ name, speed }));
+    last = { ...input, page, seasons, view: life.view };
+    const before = versions.before(last);
+    lives.show(life.view.lives[0], before && new Map(before.seasons.map((season) => [season.name, season.speed])));
+    versions.offer(last);
+    compare(before, last);
+    if (!follow) say(`lived ${Math.round(lives.clock.end)} s a season in ${Math.round(milliseconds)} ms`);
+    choices.look(door, input).then((states) => states && scenario.setStates(states));
   },
 });
-let pending = null;
-const speedsOf = (view) => view.lives[0].recording.seasons.map(({ name, speed }) => ({ name, speed }));
 
 async function compare(before, now) {
   if (!before || before.text === now.text) return changes.show(null);
@@ -78,42 +96,25 @@ async function compare(before, now) {
 let timer;
 function make(delay) {
   clearTimeout(timer);
-  const run = () => lab.make({ text: editor.text, name: robot.name, scenario: robot.scenario });
+  const run = () => lab.make({ text: editor.text, ...robot });
   if (delay) timer = setTimeout(run, delay);
   else run();
 }
 
-let editor = null;
-let parameters = null;
-let follow = null;
-editor = new Editor(door, data.robot, {
-  onChange() {
-    make(parameters?.isSliding ? 0 : typing);
-    follow?.touch();
-  },
-  onCursor() {
-    parameters?.look();
-    workings.pointAt(editor.text, editor.view.state.selection.main.head);
-  },
-  onDiagnostics() {},
-});
-parameters = new Parameters(door, editor);
-
-function setScenario(scenario) {
-  robot.scenario = scenario;
+function setScenario(yaml) {
+  robot.scenario = yaml;
+  scenario.set(yaml);
 }
 
-function open({ name, text, scenario = "" }) {
-  robot.name = name;
+function open({ name, text, scenario: yaml }) {
+  Object.assign(robot, { name, genotype: "" });
   title.textContent = name;
   document.title = name;
-  setScenario(scenario);
+  if (yaml) setScenario(yaml);
   versions.forget();
   lives.clock.go(0);
   editor.open(text);
 }
-
-const gallery = menu("Gallery", (data.gallery ?? []).map((one) => [one.name.replace(/\.pls$/, ""), () => open(one), one.note]));
 
 async function share() {
   const link = await linkOf({ ...robot, text: editor.text });
@@ -130,36 +131,49 @@ async function openLink() {
   try {
     const linked = await robotOfLink(location.hash);
     if (linked) open(linked);
-    return Boolean(linked);
+    return linked !== null;
   } catch (error) {
     say(error.message, true);
     return false;
   }
 }
-addEventListener("hashchange", openLink);
 
-const left = element("div", { class: "left" }, element("div", { class: "editor" }, editor.object), parameters.object);
+editor = new Editor(door, data.robot, {
+  onChange() {
+    make(parameters?.isSliding ? 0 : typing);
+    follow?.touch();
+  },
+  onCursor() {
+    parameters?.look();
+    workings.pointAt(editor.text, editor.view.state.selection.main.head);
+  },
+});
+parameters = new Parameters(door, editor);
 const right = element("div", { class: "right" }, wrong, lives.object, changes.object, workings.object);
 document.body.append(
   element(
     "header",
     {},
     title,
+    choices.object,
     element(
       "div",
       { class: "actions" },
-      gallery,
+      data.gallery?.length > 0 ? menu("Gallery", data.gallery.map((one) => [one.name.replace(/\.pls$/, ""), () => open(one), one.note])) : null,
+      panel("Scenario", scenario.object),
       element("button", { type: "button", onclick: () => editor.format(), title: "Shift-Alt-F" }, "Format"),
-      element("button", { type: "button", onclick: share }, "Link"),
+      element("button", { type: "button", onclick: share, title: "A link that holds this robot" }, "Link"),
       downloadMenu(door, () => ({ ...robot, text: editor.text, view: last?.view }), say),
     ),
     status,
   ),
-  element("main", {}, left, right),
+  element("main", {}, element("div", { class: "left" }, element("div", { class: "editor" }, editor.object), parameters.object), right),
   versions.object,
 );
-if (data.server?.file) {
+if (data.server?.file !== undefined) {
   follow = new Follow(door, editor, data.server.file, { say, setText: (text) => editor.setText(text) });
   document.body.append(follow.object);
 }
+addEventListener("hashchange", openLink);
+scenario.set(robot.scenario);
 openLink().then((isLinked) => isLinked || make(0));

@@ -30,6 +30,7 @@ export class Workings {
     this.isByRule = false;
     this.lines = element("div", { class: "lines", role: "status" });
     this.bodies = element("div", { class: "root" });
+    this.legend = element("div");
     this.colours = element(
       "button",
       { type: "button", "aria-pressed": "false", title: "Colours modules by the rule that made them, not by their type", onclick: () => this.#toggle() },
@@ -39,7 +40,7 @@ export class Workings {
     this.object = element(
       "section",
       { class: "workings", "aria-label": "Body and brain" },
-      element("div", { class: "head" }, element("h2", {}, "Body and brain"), this.colours),
+      element("div", { class: "top" }, element("h2", {}, "Body and brain"), this.legend, this.colours),
       this.bodies,
       element("div", { class: "told" }, this.lines),
     );
@@ -61,13 +62,13 @@ export class Workings {
     const root = element(
       "div",
       { class: "root" },
-      legend(this.robot),
       element("div", { class: "environments" }, this.#bodies(page.colours)),
       sections.map((section) => this.#section(section)),
     );
     enter(root);
     this.highlight = new Highlight(root, this.robot, (key) => this.#told(key));
     this.bodies.replaceWith(root);
+    this.legend.replaceChildren(legend(this.robot));
     this.bodies = root;
     root.querySelectorAll("[data-scroll]").forEach((box, i) => (box.scrollTop = scrolled[i] ?? 0));
     this.highlight.show(null);
