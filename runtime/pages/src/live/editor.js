@@ -13,12 +13,12 @@ import { wholeOf } from "./language/places.js";
 const language = EditorState.languageData.of(() => [{ commentTokens: { line: "#" }, closeBrackets: { brackets: ["(", "{"] } }]);
 
 export class Editor {
-  // listeners: onChange(text, isOurs), onCursor(), onDiagnostics(diagnostics).
+  // listeners: onChange(text), onCursor().
   constructor(door, text, listeners) {
     this.listeners = listeners;
     this.client = new LanguageClient(door, {
       onText: () => this.#paint(),
-      onDiagnostics: (diagnostics) => this.#judge(diagnostics),
+      onDiagnostics: (diagnostics) => showDiagnostics(this.view, this.client, diagnostics),
     });
     door.onRestart = () => this.client.reopen();
     this.view = new EditorView({ state: this.#state(text) });
@@ -99,11 +99,6 @@ export class Editor {
 
   scrollTo(offset) {
     this.view.dispatch({ effects: EditorView.scrollIntoView(offset, { y: "center" }) });
-  }
-
-  async #judge(diagnostics) {
-    const shown = await showDiagnostics(this.view, this.client, diagnostics);
-    this.listeners.onDiagnostics(shown);
   }
 
   async #paint() {

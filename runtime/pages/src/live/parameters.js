@@ -8,7 +8,7 @@ const bytes = (text) => encoder.encode(text).length;
 
 // As few digits as the step asks for.
 function written(value, step) {
-  const digits = Math.max(0, Math.min(6, Math.ceil(-Math.log10(step)) + 1));
+  const digits = Math.max(0, Math.min(6, Math.ceil(-Math.log10(step))));
   return String(Number(value.toFixed(digits)));
 }
 
@@ -16,7 +16,7 @@ export class Parameters {
   constructor(door, editor) {
     this.editor = editor;
     this.label = element("label", { for: "slider" });
-    this.slider = element("input", { type: "range", id: "slider", oninput: () => this.#slide() });
+    this.slider = element("input", { type: "range", step: "any", id: "slider", oninput: () => this.#slide() });
     this.value = element("output", { for: "slider" });
     this.ends = [element("span", { class: "quiet" }), element("span", { class: "quiet" })];
     this.row = element("div", { class: "row", hidden: true }, this.ends[0], this.slider, this.ends[1], this.value);
@@ -60,7 +60,6 @@ export class Parameters {
     this.row.hidden = false;
     this.slider.min = lowest;
     this.slider.max = highest;
-    this.slider.step = step;
     this.slider.value = value;
     this.value.textContent = this.editor.text.slice(from, to);
     this.ends[0].textContent = lowest;

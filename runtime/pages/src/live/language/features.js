@@ -67,7 +67,7 @@ export async function showDiagnostics(view, client, diagnostics) {
   const actions = new Map();
   if (diagnostics.length > 0) {
     const answer = await client.ofDocument("textDocument/codeAction", { range: wholeOf(doc), context: { diagnostics } });
-    if (view.state.doc !== doc) return [];
+    if (view.state.doc !== doc) return;
     for (const action of answer ?? [])
       for (const of of action.diagnostics ?? []) actions.set(key(of), [...(actions.get(key(of)) ?? []), actionOf(action)]);
   }
@@ -79,7 +79,6 @@ export async function showDiagnostics(view, client, diagnostics) {
     actions: actions.get(key(one)) ?? [],
   }));
   view.dispatch(setDiagnostics(view.state, shown));
-  return shown;
 }
 
 export async function format(view, client) {
