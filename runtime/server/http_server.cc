@@ -57,11 +57,11 @@ class Session : public std::enable_shared_from_this<Session> {
     parser_->body_limit(shared_.limits.body);
     parser_->header_limit(static_cast<std::uint32_t>(shared_.limits.header));
     stream_.expires_after(shared_.limits.patience);
-    http::async_read_header(stream_, buffer_, *parser_,
-                            [self = shared_from_this()](error_code error,
-                                                        std::size_t) {
-                              self->OnHeader(error);
-                            });
+    http::async_read_header(
+        stream_, buffer_, *parser_,
+        [self = shared_from_this()](error_code error, std::size_t) {
+          self->OnHeader(error);
+        });
   }
 
   void Publish(const std::string& name, std::string_view data) {
@@ -106,11 +106,11 @@ class Session : public std::enable_shared_from_this<Session> {
       return Write(std::move(*refusal));
     }
     is_known_ = true;
-    http::async_read(stream_, buffer_, *parser_,
-                     [self = shared_from_this()](error_code failed,
-                                                 std::size_t) {
-                       self->OnRequest(failed);
-                     });
+    http::async_read(
+        stream_, buffer_, *parser_,
+        [self = shared_from_this()](error_code failed, std::size_t) {
+          self->OnRequest(failed);
+        });
   }
 
   void OnBroken(error_code error) {
@@ -119,7 +119,8 @@ class Session : public std::enable_shared_from_this<Session> {
     if (error == http::error::header_limit)
       return Refuse(431, "this header is longer than a request's may be");
     // Time that has run out, and ends of connections, are no errors of HTTP.
-    if (error.category() == make_error_code(http::error::bad_version).category() &&
+    if (error.category() ==
+            make_error_code(http::error::bad_version).category() &&
         error != http::error::end_of_stream &&
         error != http::error::partial_message)
       return Refuse(400, "this is no request of HTTP");
@@ -152,8 +153,7 @@ class Session : public std::enable_shared_from_this<Session> {
   /// Finds that the other end has gone, while we have nothing to say.
   void Watch() {
     stream_.socket().async_wait(
-        tcp::socket::wait_read,
-        [self = shared_from_this()](error_code error) {
+        tcp::socket::wait_read, [self = shared_from_this()](error_code error) {
           if (error || self->is_answered_ || !self->is_open_) return;
           char byte = 0;
           error_code failed;
@@ -191,13 +191,13 @@ class Session : public std::enable_shared_from_this<Session> {
     written_->keep_alive(!is_last_);
     written_->prepare_payload();
     stream_.expires_after(shared_.limits.patience);
-    http::async_write(stream_, *written_,
-                      [self = shared_from_this()](error_code error,
-                                                  std::size_t) {
-                        self->written_.reset();
-                        if (error || self->is_last_) return self->Leave();
-                        self->Read();
-                      });
+    http::async_write(
+        stream_, *written_,
+        [self = shared_from_this()](error_code error, std::size_t) {
+          self->written_.reset();
+          if (error || self->is_last_) return self->Leave();
+          self->Read();
+        });
   }
 
   void Listen(Response response) {
@@ -225,14 +225,14 @@ class Session : public std::enable_shared_from_this<Session> {
   }
   void Send() {
     stream_.expires_after(shared_.limits.patience);
-    asio::async_write(stream_, asio::buffer(sent_),
-                      [self = shared_from_this()](error_code error,
-                                                  std::size_t) {
-                        self->is_writing_ = false;
-                        if (error) return self->Leave();
-                        self->stream_.expires_never();
-                        self->WriteEvents();
-                      });
+    asio::async_write(
+        stream_, asio::buffer(sent_),
+        [self = shared_from_this()](error_code error, std::size_t) {
+          self->is_writing_ = false;
+          if (error) return self->Leave();
+          self->stream_.expires_never();
+          self->WriteEvents();
+        });
   }
 
   void Leave() {

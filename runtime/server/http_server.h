@@ -36,8 +36,8 @@ class HttpServer {
   using Respond = std::function<void(Response)>;
   /// `request` has passed the guard. `is_wanted` is false once its client has
   /// gone.
-  using Handler = std::function<void(
-      Request request, Respond respond, std::function<bool()> is_wanted)>;
+  using Handler = std::function<void(Request request, Respond respond,
+                                     std::function<bool()> is_wanted)>;
 
   /// Listens at `port` of `address` (a number, as "127.0.0.1" or "::1"); 0: one
   /// that is free.

@@ -66,11 +66,11 @@ Exit Run(const LiveCommand& command, Io& io) {
   options.port = command.port;
   options.asker.lives = command.jobs;
   const InterruptHandler handler;
-  const auto live = LiveServer::Begin(
-      options, std::move(*subject), MakeWork,
-      [](const std::string& title, const std::string& data) {
-        return PageHtml(PageKind::kLive, title, data);
-      });
+  const auto live =
+      LiveServer::Begin(options, std::move(*subject), MakeWork,
+                        [](const std::string& title, const std::string& data) {
+                          return PageHtml(PageKind::kLive, title, data);
+                        });
   if (!live) return Complain(live.error(), io);
   const std::string address = (*live)->address();
   if (!(*live)->is_private())

@@ -69,10 +69,9 @@ bool Asker::Desk::Step(int& tickets) {
       response.body = std::move(*reply.answer);
     } else {
       response.status = 500;
-      response.body = DumpJson(
-          Json{{"ok", false},
-               {"error", fmt::format("it could not be computed: {}",
-                                     reply.death)}});
+      response.body = DumpJson(Json{
+          {"ok", false},
+          {"error", fmt::format("it could not be computed: {}", reply.death)}});
     }
     found->second.respond(std::move(response));
     begun.erase(found);

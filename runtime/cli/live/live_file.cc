@@ -19,8 +19,8 @@ namespace plsc::cli {
 namespace {
 
 // Clocks of file systems have ticks of up to 10 ms (ext4: 4), those of network
-// folders and of FAT up to 2 s: what was written twice within one looks as if it
-// was written once, so a young file is read again.
+// folders and of FAT up to 2 s: what was written twice within one looks as if
+// it was written once, so a young file is read again.
 constexpr std::int64_t kYoung = 2'100'000'000;  // ns
 
 std::int64_t Nanoseconds(const timespec& time) {
@@ -76,8 +76,8 @@ FileState LiveFile::Read() const {
     if (count < 0)
       state = Unreadable(SystemReason(errno));
     else if (text.size() > kMostBytes)
-      state = Unreadable(
-          fmt::format("it has more than {} MiB", kMostBytes >> 20U));
+      state =
+          Unreadable(fmt::format("it has more than {} MiB", kMostBytes >> 20U));
     else
       state = {text, "", Hex(KeyOf(text))};
   }
@@ -103,8 +103,7 @@ LiveFile::Saved LiveFile::Save(const std::string& text,
     return {true, std::nullopt};
   OutputFile file(path_);
   file.Write(text);
-  const auto taken =
-      file.FinishOver(base.empty() ? nullptr : &*state_.text);
+  const auto taken = file.FinishOver(base.empty() ? nullptr : &*state_.text);
   Look();
   if (!taken) return {false, Failure(taken.error())};
   return {!*taken, std::nullopt};

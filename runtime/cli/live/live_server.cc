@@ -54,8 +54,7 @@ Expected<std::unique_ptr<LiveServer>, Failure> LiveServer::Begin(
   live->server_ = std::move(*listening);
   std::vector<std::string> hosts;
   // Reached from elsewhere it has names that we do not know.
-  if (IsLoopback(options.host))
-    hosts = {Bracketed(options.host), "localhost"};
+  if (IsLoopback(options.host)) hosts = {Bracketed(options.host), "localhost"};
   live->server_->Serve(
       server::Guard(live->token_, std::move(hosts), live->server_->port()),
       [raw = live.get()](Request request, server::HttpServer::Respond respond,

@@ -72,16 +72,15 @@ class RunSubject : public Subject {
     const bool is_study = request.target == "study" && study_;
     if (request.target != "run" && request.target != "robot" && !is_study)
       return server::Refusal(404, "there is no such thing here");
-    if (request.method != "GET")
-      return server::Refusal(405, "this is to GET");
+    if (request.method != "GET") return server::Refusal(405, "this is to GET");
     if (is_study) return {200, "application/json", StudyJson(), false};
     const auto feed =
         Find(server::QueryValue(request.query, "run").value_or(""));
     if (!feed) return Of(feed.error());
     if (request.target == "run")
       return {200, "application/json", (*feed)->Json(), false};
-    const auto id = ParseNumber<int>(
-        server::QueryValue(request.query, "id").value_or(""));
+    const auto id =
+        ParseNumber<int>(server::QueryValue(request.query, "id").value_or(""));
     if (!id) return server::Refusal(400, "?id= must be a robot's number");
     const auto robot = (*feed)->Robot(*id);
     if (!robot) return Of(robot.error());

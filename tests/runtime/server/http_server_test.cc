@@ -34,8 +34,8 @@ class Client {
   void Send(const std::string& text) const {
     std::size_t sent = 0;
     while (sent < text.size()) {
-      const ssize_t count = ::send(socket_, text.data() + sent,
-                                   text.size() - sent, MSG_NOSIGNAL);
+      const ssize_t count =
+          ::send(socket_, text.data() + sent, text.size() - sent, MSG_NOSIGNAL);
       if (count <= 0) return;
       sent += static_cast<std::size_t>(count);
     }
@@ -144,8 +144,7 @@ TEST_CASE("a request may come byte by byte", "[http_server]") {
   served.Until([&] { return Has(client, "you said slowly"); });
 }
 
-TEST_CASE("strangers are refused before their body is taken",
-          "[http_server]") {
+TEST_CASE("strangers are refused before their body is taken", "[http_server]") {
   Served served;
   Client client(served.port);
   client.Send(served.Head("POST /wrong/ask") +
@@ -163,8 +162,7 @@ TEST_CASE("what is too much, or no HTTP, gets a word and the door",
   Served served(limits);
   const auto [sent, status] = GENERATE_REF(
       std::pair(served.Post("x", std::string(1001, 'b')), "413"),
-      std::pair(served.Head("GET /t/") + "A: " + std::string(3000, 'a'),
-                "431"),
+      std::pair(served.Head("GET /t/") + "A: " + std::string(3000, 'a'), "431"),
       std::pair(std::string("nonsense\r\n\r\n"), "400"),
       std::pair(std::string(5000, '\0'), "4"),
       std::pair(std::string("GET / HTTP/9.9\r\n\r\n"), "400"));
@@ -262,8 +260,7 @@ TEST_CASE("a port that is taken is a failure with the reason",
   Served served;
   const auto again = HttpServer::Listen("127.0.0.1", served.port);
   REQUIRE_FALSE(again);
-  CHECK(again.error().text.find("Address already in use") !=
-        std::string::npos);
+  CHECK(again.error().text.find("Address already in use") != std::string::npos);
   CHECK_FALSE(HttpServer::Listen("localhost.", 0));
   CHECK_FALSE(HttpServer::Listen("203.0.113.1", 0));
 }

@@ -15,9 +15,8 @@ TEST_CASE("values of an address are found and decoded", "[query]") {
 }
 
 TEST_CASE("what is not there, or no text, is nothing", "[query]") {
-  const std::string query =
-      GENERATE("", "a", "&", "=", "b=1", "aa=1", "%61=1", "a=%", "a=%4",
-               "a=%zz", "&&&&");
+  const std::string query = GENERATE("", "a", "&", "=", "b=1", "aa=1", "%61=1",
+                                     "a=%", "a=%4", "a=%zz", "&&&&");
   CAPTURE(query);
   CHECK_FALSE(QueryValue(query, "a"));
 }

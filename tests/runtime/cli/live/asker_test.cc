@@ -27,7 +27,8 @@ struct Desk {
 
   void Ask(const std::string& text, bool is_wanted = true) {
     asker.Ask(
-        text, [this](server::Response one) { answers.push_back(std::move(one)); },
+        text,
+        [this](server::Response one) { answers.push_back(std::move(one)); },
         [is_wanted] { return is_wanted; });
   }
   void Finish() {
@@ -60,8 +61,9 @@ TEST_CASE("a life that never ends keeps nobody from editing", "[asker]") {
   desk.Finish();
   REQUIRE(desk.answers.size() == 3);
   CHECK(desk.answers[1].status == 500);
-  CHECK(desk.answers[1].body ==
-        R"({"ok":false,"error":"it could not be computed: no answer for 0.2 s"})");
+  CHECK(
+      desk.answers[1].body ==
+      R"({"ok":false,"error":"it could not be computed: no answer for 0.2 s"})");
   // Others are there to go on with.
   desk.Ask(R"({"ask": "live"})");
   desk.Finish();

@@ -82,8 +82,8 @@ TEST_CASE("another run under the name begins anew; none is a failure",
   std::filesystem::remove(path);
   CHECK_FALSE(feed.Look());
   std::filesystem::copy_file(
-      test::ChangedRun(folder, "UPDATE run SET seed = '77'"),
-      path, std::filesystem::copy_options::overwrite_existing);
+      test::ChangedRun(folder, "UPDATE run SET seed = '77'"), path,
+      std::filesystem::copy_options::overwrite_existing);
   const auto seen = feed.Look();
   REQUIRE(seen);
   CHECK(Value::parse(feed.Json())["generations"] ==

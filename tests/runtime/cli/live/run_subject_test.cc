@@ -29,8 +29,8 @@ TEST_CASE("a run's page has its scenario; rows and robots are asked for",
   const Value run = Value::parse(Got(subject, "run").body);
   CHECK(run["generations"].size() == 3);
   const int best = run["generations"][2]["best"];
-  const Value robot = Value::parse(
-      Got(subject, "robot", "id=" + std::to_string(best)).body);
+  const Value robot =
+      Value::parse(Got(subject, "robot", "id=" + std::to_string(best)).body);
   CHECK(robot["id"] == best);
   REQUIRE(subject.Standing().size() == 1);
   CHECK(Value::parse(subject.Standing()[0].second) ==
