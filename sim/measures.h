@@ -29,6 +29,17 @@ struct Behaviour {
   /// a window of 251 records, which they call unreliable themselves; the cap
   /// on contacts (sim/ground) bounds it, too.
   double contacts = 0;
+  /// rad/s, at least 0: by how much joints turn otherwise than their servos are
+  /// told, over steps and joints (sim/servo_errors). Not a number where a store
+  /// of before has none, as core_turns.
+  double servo_error_median = 0;
+  double servo_error_worst = 0;
+  /// 1/m, at least 0: revolutions of the core about a horizontal axis of its
+  /// own, on the whole and not to and fro, for each metre of the path that
+  /// velocity is of; what is shorter than a robot's length, 0.1 m, counts as
+  /// that. A wheel of radius r has 1 / (2 pi r); robots that roll 1 to 2, those
+  /// that row or drag themselves along hardly any.
+  double core_turns = 0;
 };
 
 /// `size`: modules that are no sensors, at least 1.

@@ -18,12 +18,14 @@
 #include <cstddef>
 #include <memory>
 #include <utility>
+#include <vector>
 
 #include "sim/assembly.h"
 #include "sim/controller.h"
 #include "sim/overlap.h"
 #include "sim/recorder.h"
 #include "sim/schedule.h"
+#include "sim/servo_errors.h"
 
 namespace plsc {
 namespace {
@@ -44,6 +46,8 @@ class Drive {
     for (std::size_t i = 0; i < modules.size(); ++i)
       if (modules[i].type == ModuleType::kTouchSensor)
         sensors_.push_back(static_cast<int>(i));
+      else if (IsJoint(modules[i].type))
+        asked_.push_back(0);
   }
 
   /// Before each step: sets the joints' speeds if an update is due.
@@ -52,15 +56,24 @@ class Drive {
     const std::optional<double> due = schedule_.Due(step);
     if (!due) return;
     const auto& outputs = controller_.Update(birth_ + *due, Felt(world));
-    for (int joint = 0; joint < world.joints(); ++joint)
-      world.SetJointSpeed(
-          joint,
-          ServoSpeed(Erring(outputs[static_cast<std::size_t>(joint)], joint),
-                     world.JointAngle(joint), servo_));
+    for (int joint = 0; joint < world.joints(); ++joint) {
+      const auto i = static_cast<std::size_t>(joint);
+      asked_[i] = ServoSpeed(Erring(outputs[i], joint), world.JointAngle(joint),
+                             servo_);
+      world.SetJointSpeed(joint, asked_[i]);
+    }
     ++updates_;
   }
 
+  /// After each step: how far the joints are from what was asked of them.
+  void Look(const World& world) {
+    for (int joint = 0; joint < world.joints(); ++joint)
+      errors_.Add(world.JointSpeed(joint) -
+                  asked_[static_cast<std::size_t>(joint)]);
+  }
+
   Controller& controller() { return controller_; }
+  const ServoErrors& errors() const { return errors_; }
 
  private:
   /// What the sensors tell, by Body::modules.
@@ -79,6 +92,8 @@ class Drive {
     return output + TargetError(motor_, updates_, joint) / (2 * servo_.range);
   }
 
+  std::vector<double> asked_;  ///< rad/s, by joint; braked until the first
+  ServoErrors errors_;
   Controller controller_;
   RefreshSchedule schedule_;
   ServoOptions servo_;
@@ -208,6 +223,7 @@ Lived Live(const Phenotype& phenotype, const Terrain& terrain,
     for (; step < due; ++step) {
       drive.Act(step, *world);
       if (!world->Step()) return {recorder.Finish(*world, step + 1), {}};
+      drive.Look(*world);
       if (is_stopped(step + 1))
         return {StoppedAt(time(step + 1) - birth,
                           recorder.Finish(*world, step + 1)),
@@ -215,7 +231,10 @@ Lived Live(const Phenotype& phenotype, const Terrain& terrain,
     }
     recorder.Sample(*world, time(step));
   }
-  return {recorder.Finish(*world, step),
+  Trajectory trajectory = recorder.Finish(*world, step);
+  trajectory.servo_error_median = drive.errors().Median();
+  trajectory.servo_error_worst = drive.errors().worst();
+  return {std::move(trajectory),
           StateOf(*world, time(step), drive.controller())};
 }
 

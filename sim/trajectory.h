@@ -27,6 +27,10 @@ struct Trajectory {
   std::int64_t steps = 0;             ///< simulated
   int solver_warnings = 0;            ///< ODE's "LCP internal error"
   std::uint64_t state_hash = 0;       ///< of the final state, bit for bit
+  /// rad/s, over all steps and joints: by how much joints turn otherwise than
+  /// their servos are told (sim/servo_errors).
+  double servo_error_median = 0;
+  double servo_error_worst = 0;
 };
 
 }  // namespace plsc

@@ -66,6 +66,10 @@ double World::JointAngle(int joint) const {
   return engine_->JointAngle(joint);
 }
 
+double World::JointSpeed(int joint) const {
+  return engine_->JointSpeed(joint);
+}
+
 int World::links() const {
   return static_cast<int>(links_.size());
 }

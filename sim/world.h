@@ -50,6 +50,7 @@ class World {
 
   int joints() const;
   double JointAngle(int joint) const;  ///< rad
+  double JointSpeed(int joint) const;  ///< rad/s, after the latest step
   int links() const;
   LinkPose PoseOf(int link) const;
   LinkMotion MotionOf(int link) const;

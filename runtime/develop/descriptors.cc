@@ -245,6 +245,9 @@ void VisitBehaviour(Descriptors& b, const Visit& visit) {
   visit("displacement_velocity_hill", b.displacement_velocity_hill);
   visit("head_balance", b.head_balance);
   visit("contacts", b.contacts);
+  visit("servo_error_median", b.servo_error_median);
+  visit("servo_error_worst", b.servo_error_worst);
+  visit("core_turns", b.core_turns);
 }
 
 /// Adds what it visits to a list.

@@ -240,10 +240,18 @@ GenotypeOptions ReadGenotype(YamlMap& map) {
   return options;
 }
 
+/// What the authors' program did otherwise than the paper has it, unless a key
+/// says so: for the same reason as the scenario's values (scenario_profile).
+void TakeHabits(Profile profile, Experiment& experiment) {
+  if (profile != Profile::kPublished) return;
+  experiment.variation.insertion = InsertionPoint::kBeforeEnd;
+  experiment.variation.removal = Removal::kByValue;
+  experiment.inheritance = Inheritance::kJoined;
+}
+
 /// `profile`: of a scenario that names none. Where the scenario has a file of
 /// its own it is read with the profile of the one that stands in for it.
-void ReadScenarioOf(YamlMap& map, Experiment& experiment) {
-  const Profile profile = map.Choice("profile", Profile::kPaper, kProfileNames);
+void ReadScenarioOf(YamlMap& map, Profile profile, Experiment& experiment) {
   experiment.scenario = BothSeasons(profile);
   const auto value = map.Find("scenario");
   if (!value) return;
@@ -405,9 +413,11 @@ Experiment ReadExperiment(YamlMap& map) {
       map.Number("crossover", experiment.crossover, kProbability);
   experiment.tournament =
       map.Int("tournament", experiment.tournament, 1, kMaxTournament);
+  const Profile profile = map.Choice("profile", Profile::kPaper, kProfileNames);
+  TakeHabits(profile, experiment);
   ReadVariation(map, experiment);
   experiment.genotype = ReadGenotype(map);
-  ReadScenarioOf(map, experiment);
+  ReadScenarioOf(map, profile, experiment);
   map.Close();
   if (map.place().error_count() == errors) CheckTogether(map, experiment);
   return experiment;

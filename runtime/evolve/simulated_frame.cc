@@ -14,7 +14,7 @@ namespace plsc {
 namespace {
 
 // Of this layout; a change of Simulated or Behaviour makes another.
-constexpr std::uint64_t kLayout = 1;
+constexpr std::uint64_t kLayout = 2;
 
 // Everything is words of 8 bytes, the lowest first; texts follow their length.
 class Packer {
@@ -83,6 +83,9 @@ void AddSeason(const Simulated& season, Packer& packer) {
   packer.Add(behaviour.velocity);
   packer.Add(behaviour.head_balance);
   packer.Add(behaviour.contacts);
+  packer.Add(behaviour.servo_error_median);
+  packer.Add(behaviour.servo_error_worst);
+  packer.Add(behaviour.core_turns);
   packer.Add(season.state_hash);
   packer.Add(static_cast<std::uint64_t>(season.steps));
   packer.Add(static_cast<std::uint64_t>(season.solver_warnings));
@@ -103,6 +106,9 @@ Simulated TakeSeason(Unpacker& bytes) {
   behaviour.velocity = bytes.Number();
   behaviour.head_balance = bytes.Number();
   behaviour.contacts = bytes.Number();
+  behaviour.servo_error_median = bytes.Number();
+  behaviour.servo_error_worst = bytes.Number();
+  behaviour.core_turns = bytes.Number();
   season.state_hash = bytes.Word();
   season.steps = static_cast<std::int64_t>(bytes.Word());
   season.solver_warnings = static_cast<int>(bytes.Word());

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "runtime/report/quantiles.h"
-#include "runtime/study/report_measures.h"
 #include "runtime/store/database.h"
+#include "runtime/study/report_measures.h"
 
 namespace plsc {
 

@@ -10,6 +10,8 @@
 #include <fmt/format.h>
 
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "runtime/store/schema.h"
 #include "runtime/text/key.h"
@@ -31,7 +33,14 @@ std::int64_t Of(const std::string& bytes) {
   return static_cast<std::int64_t>(KeyOf(bytes).low);
 }
 
-std::string EvaluationSql() {
+std::vector<std::string> GenerationColumns(int schema) {
+  std::vector<std::string> columns = {"number", "best"};
+  for (std::string& one : CensusColumns(schema))
+    columns.push_back(std::move(one));
+  return columns;
+}
+
+std::string EvaluationSql(int schema) {
   return fmt::format(
       "SELECT season.name, evaluation.profile, evaluation.begin, "
       "evaluation.inclination, sensed, sources, change, change_reason, "
@@ -47,7 +56,7 @@ std::string EvaluationSql() {
       "LEFT JOIN simulation ON simulation.key = evaluation.simulation "
       "WHERE individual = ? AND season = ?",
       fmt::join(BodyColumns(), ", "), fmt::join(BrainColumns(), ", "),
-      fmt::join(BehaviourColumns(), ", "));
+      fmt::join(BehaviourColumns(schema), ", "));
 }
 
 }  // namespace
@@ -66,9 +75,11 @@ Checksums::Checksums(Database& database)
                   "SELECT id, generation, parent1, parent2, from_second, "
                   "mutation, mutated_rule, senses, genotype.name, text "
                   "FROM individual JOIN genotype USING (id) WHERE id = ?"),
-      evaluation_(database, EvaluationSql()),
-      generation_(database,
-                  "SELECT number, best FROM generation WHERE number = ?"),
+      evaluation_(database, EvaluationSql(SchemaOf(database))),
+      generation_(
+          database,
+          fmt::format("SELECT {} FROM generation WHERE number = ?",
+                      fmt::join(GenerationColumns(SchemaOf(database)), ", "))),
       members_(database,
                "SELECT place, individual, count, survivor FROM member "
                "WHERE generation = ? ORDER BY individual") {}

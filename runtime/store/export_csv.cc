@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <nlohmann/json.hpp>
 #include <set>
 #include <utility>
@@ -7,6 +9,7 @@
 #include "runtime/store/database.h"
 #include "runtime/store/export.h"
 #include "runtime/store/names.h"
+#include "runtime/store/schema.h"
 #include "runtime/store/verify.h"
 #include "runtime/text/csv_cell.h"
 
@@ -62,7 +65,8 @@ const std::vector<CsvTable>& CsvTables() {
        "SELECT result.* FROM result JOIN season ON season.name = "
        "result.season ORDER BY result.id, season.id"},
       {"generations", CsvRows::kOfGenerations,
-       "SELECT number, best FROM generation ORDER BY number"},
+       fmt::format("SELECT number, best, {} FROM generation ORDER BY number",
+                   fmt::join(CensusColumns(), ", "))},
       {"members", CsvRows::kOfGenerations,
        "SELECT generation, place, individual, count, survivor FROM member "
        "ORDER BY generation, place"},

@@ -5,6 +5,7 @@
 #include "compiler/print.h"
 #include "runtime/life/season_json.h"
 #include "runtime/scenario/scenario_yaml.h"
+#include "runtime/store/census_json.h"
 #include "runtime/store/export.h"
 #include "runtime/store/heritage_json.h"
 #include "runtime/store/verify.h"
@@ -55,13 +56,17 @@ std::string IndividualLine(const Individual& one) {
                      seasons);
 }
 
-std::string GenerationLine(const GenerationRecord& record) {
+std::string GenerationLine(const GenerationRecord& record,
+                           const std::vector<CensusCounts>& censuses) {
   Json json;
   json["generation"] = record.generation;
   json["best"] = record.best;
   json["pool"] = record.pool;
   json["counts"] = record.counts;
   json["survivors"] = record.survivors;
+  const auto number = static_cast<std::size_t>(record.generation);
+  json["census"] =
+      number < censuses.size() ? CensusJson(censuses[number]) : Json(nullptr);
   return DumpJson(json) + "\n";
 }
 
@@ -93,13 +98,16 @@ MaybeFailure WriteJsonl(const std::string& run, const Sink& sink) {
     }
     if (auto failure = sink(IndividualLine(*one))) return failure;
   }
+  const auto censuses = store.Censuses();
   for (const int number : health->generations) {
     const Expected<GenerationRecord, Failure> record = store.Generation(number);
     if (!record) {
       if (!damage) damage = record.error();
       continue;
     }
-    if (auto failure = sink(GenerationLine(*record))) return failure;
+    if (auto failure = sink(GenerationLine(
+            *record, censuses ? *censuses : std::vector<CensusCounts>{})))
+      return failure;
   }
   return damage;
 }

@@ -73,6 +73,19 @@ std::map<std::string, int> SeasonIds(const Experiment& experiment) {
   return ids;
 }
 
+/// Why a store of this schema is not written to, or nothing.
+MaybeFailure CheckCanGrow(const std::string& path, int schema,
+                          const Versions& versions) {
+  if (schema == kSchemaVersion) return std::nullopt;
+  return fmt::format(
+      "'{}' is a store of schema {}, and this program's have {}: its lives "
+      "lack "
+      "{}, which cannot be added to them any more, so it can be read only; the "
+      "program that began it (plsc {}) goes on with it",
+      path, schema, kSchemaVersion, fmt::join(MissingMeasures(schema), ", "),
+      versions.plsc);
+}
+
 bool HasDied(const Evaluation& evaluation) {
   return std::any_of(evaluation.seasons.begin(), evaluation.seasons.end(),
                      [](const SeasonResult& season) {
@@ -88,6 +101,7 @@ struct RunStore::Parts {
   std::string path;
   Experiment experiment;
   Versions versions;
+  int schema = 0;
   RunLock lock;
   Database database;
   std::unique_ptr<RunReader> reader;
@@ -114,16 +128,16 @@ struct RunStore::Parts {
 MaybeFailure RunStore::Parts::Connect(Database::Mode mode) {
   if (MaybeFailure failure = database.Open(path, mode)) return failure;
   if (MaybeFailure failure = CheckIdentity(database)) return failure;
+  schema = SchemaOf(database);
   if (mode != Database::Mode::kRead)
-    if (MaybeFailure failure =
-            CheckNothingAdded(database, Schema(SchemaOf(database))))
+    if (MaybeFailure failure = CheckNothingAdded(database, Schema(schema)))
       return failure;
   if (MaybeFailure failure = ReadRun()) return failure;
   reader = std::make_unique<RunReader>(database);
   checks = std::make_unique<RowChecks>(database);
   if (mode != Database::Mode::kRead)
-    writer =
-        std::make_unique<RunWriter>(database, *reader, SeasonIds(experiment));
+    writer = std::make_unique<RunWriter>(database, *reader, experiment,
+                                         SeasonIds(experiment));
   return database.TakeFailure();
 }
 
@@ -189,10 +203,12 @@ MaybeFailure RunStore::Open(const std::string& path, bool any_version) {
   // What is no file at all is not worth a lock.
   MaybeFailure failure = parts_->Connect(Database::Mode::kRead);
   const Versions versions = parts_->versions;
+  const int schema = parts_->schema;
   parts_ = std::make_unique<Parts>();
   parts_->path = path;
   if (!failure) failure = parts_->lock.Take(path);
   if (!failure && !any_version) failure = CheckVersions(path, versions);
+  if (!failure) failure = CheckCanGrow(path, schema, versions);
   if (!failure) failure = Examine(path).problem;
   if (!failure) failure = parts_->Connect(Database::Mode::kWrite);
   if (failure) parts_ = std::make_unique<Parts>();
@@ -253,6 +269,10 @@ const Experiment& RunStore::experiment() const {
 
 const Versions& RunStore::versions() const {
   return parts_->versions;
+}
+
+int RunStore::schema() const {
+  return parts_->schema;
 }
 
 Expected<SavedRun, Failure> RunStore::Load() {
@@ -335,6 +355,12 @@ Expected<GenerationRecord, Failure> RunStore::Generation(int number) {
     return *failure;
   auto record = parts_->reader->FindGeneration(number);
   return parts_->OrFailure(std::move(record).value_or(GenerationRecord{}));
+}
+
+Expected<std::vector<CensusCounts>, Failure> RunStore::Censuses() {
+  assert(parts_->reader);
+  const Transaction instant(parts_->database);
+  return parts_->OrFailure(CensusOf(parts_->database, experiment()));
 }
 
 Expected<std::vector<int>, Failure> RunStore::EvaluatedIds() {

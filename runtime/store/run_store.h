@@ -21,6 +21,7 @@
 #include "runtime/evolve/saved_run.h"
 #include "runtime/evolve/simulation_cache.h"
 #include "runtime/life/simulated.h"
+#include "runtime/store/census.h"
 #include "runtime/store/session.h"
 #include "runtime/store/versions.h"
 
@@ -61,7 +62,8 @@ class RunStore : public RunObserver, public SimulationCache {
   /// For going on with a run: everything is checked first, and a store that is
   /// damaged, or that another process works on, is refused unchanged. So is
   /// one that another program or kind of machine began, unless `any_version`:
-  /// its results may then be those of no single program.
+  /// its results may then be those of no single program. A store of an older
+  /// schema is never gone on with: it has no place for all there is to write.
   MaybeFailure Open(const std::string& path, bool any_version = false);
   /// Changes nothing, and works while another process writes. What the run is
   /// must be what was written; robots and generations are compared with their
@@ -80,6 +82,8 @@ class RunStore : public RunObserver, public SimulationCache {
   const Experiment& experiment() const;
   /// Of the program that created it.
   const Versions& versions() const;
+  /// Of the file (schema.h); an older one lacks MissingMeasures.
+  int schema() const;
 
   /// All of this is empty in a run that was created and left at once. Those of
   /// the generation under way whose workers died are as not evaluated yet:
@@ -92,6 +96,8 @@ class RunStore : public RunObserver, public SimulationCache {
   /// Individuals, from id 1 to this.
   Expected<int, Failure> Born();
   Expected<GenerationRecord, Failure> Generation(int number);
+  /// Of all completed generations. Not compared with checksums.
+  Expected<std::vector<CensusCounts>, Failure> Censuses();
   /// Everybody who was evaluated, in order of id.
   Expected<std::vector<int>, Failure> EvaluatedIds();
   /// Those behind Find(id).evaluation: keys, body and brain.

@@ -139,11 +139,13 @@ std::optional<T> At(const std::vector<T>& values, std::size_t i) {
 }  // namespace
 
 RunWriter::RunWriter(Database& database, RunReader& reader,
+                     const Experiment& experiment,
                      std::map<std::string, int> seasons)
     : database_(database),
       reader_(reader),
       seasons_(std::move(seasons)),
       checksums_(database),
+      census_(database, experiment),
       header_(database, Insert("header", {"before_name", "after_name"})),
       find_header_(database,
                    "SELECT id FROM header "
@@ -184,7 +186,8 @@ RunWriter::RunWriter(Database& database, RunReader& reader,
                       "UPDATE evaluation SET checksum = ? "
                       "WHERE individual = ? AND season = ?"),
       generation_(database,
-                  Insert("generation", {"number", "best", "checksum"})),
+                  Insert("generation", Joined({"number", "best"},
+                                              CensusColumns(), {"checksum"}))),
       sum_generation_(database,
                       "UPDATE generation SET checksum = ? WHERE number = ?"),
       member_(database, Insert("member", {"generation", "individual", "place",
@@ -345,7 +348,10 @@ MaybeFailure RunWriter::Completed(const GenerationRecord& record) {
   std::map<int, std::int64_t> ranks;
   for (const int id : record.survivors)
     ranks.emplace(id, static_cast<std::int64_t>(ranks.size()));
-  generation_.With(record.generation, record.best, 0).Run();
+  generation_.With(record.generation, record.best);
+  for (const std::int64_t count : List(CountSurvivors(record)))
+    generation_.And(count);
+  generation_.And(0).Run();
   for (std::size_t i = 0; i < record.pool.size(); ++i) {
     const auto rank = ranks.find(record.pool[i]);
     std::optional<std::int64_t> survivor;
@@ -359,6 +365,15 @@ MaybeFailure RunWriter::Completed(const GenerationRecord& record) {
       .With(checksums_.OfGeneration(record.generation), record.generation)
       .Run();
   return transaction.Commit();
+}
+
+// A run that goes on has to pass what it completed before.
+CensusCounts RunWriter::CountSurvivors(const GenerationRecord& record) {
+  for (; counted_ < record.generation; ++counted_)
+    if (const auto before = reader_.FindGeneration(counted_))
+      census_.Pass(before->survivors);
+  ++counted_;
+  return census_.Count(record.survivors);
 }
 
 }  // namespace plsc

@@ -10,6 +10,7 @@
 
 #include "grammar/failure.h"
 #include "runtime/evolve/run_observer.h"
+#include "runtime/store/census.h"
 #include "runtime/store/checksum.h"
 #include "runtime/store/database.h"
 #include "runtime/store/run_reader.h"
@@ -22,7 +23,7 @@ struct Versions;
 class RunWriter {
  public:
   /// Seasons by name: their ids in the store. `reader` of the same database.
-  RunWriter(Database& database, RunReader& reader,
+  RunWriter(Database& database, RunReader& reader, const Experiment& experiment,
             std::map<std::string, int> seasons);
 
   /// Those that are there already must be the same. Writes nothing if
@@ -40,11 +41,14 @@ class RunWriter {
                  const SeasonEvidence& evidence);
   void AddPhenotype(const SeasonResult& result, const SeasonEvidence& evidence);
   void AddSimulation(const SeasonEvidence& evidence);
+  CensusCounts CountSurvivors(const GenerationRecord& record);
 
   Database& database_;
   RunReader& reader_;
   std::map<std::string, int> seasons_;
   Checksums checksums_;
+  Census census_;
+  int counted_ = 0;  ///< generations that census_ knows
   Statement header_;
   Statement find_header_;
   Statement individual_;

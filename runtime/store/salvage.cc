@@ -17,6 +17,7 @@
 #include "runtime/store/checksum.h"
 #include "runtime/store/database.h"
 #include "runtime/store/run_reader.h"
+#include "runtime/store/schema.h"
 #include "runtime/store/verify.h"
 
 namespace plsc {
@@ -38,6 +39,7 @@ MaybeFailure Salvage::Open(const std::string& path) {
   if (MaybeFailure failure = database.Open(path, Database::Mode::kSalvage))
     return failure;
   if (MaybeFailure failure = CheckIdentity(database)) return failure;
+  schema_ = SchemaOf(database);
   Checksums checksums(database);
   {
     Statement run(database,
@@ -56,6 +58,7 @@ MaybeFailure Salvage::Open(const std::string& path) {
     }
     database.TakeFailure();  // then there is no experiment
   }
+  if (schema_ < kSchemaVersion) return std::nullopt;
   Statement evaluation(database,
                        "SELECT checksum FROM evaluation WHERE individual = ? "
                        "ORDER BY season");

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cassert>
+#include <iterator>
 #include <string_view>
 #include <utility>
 
@@ -12,6 +15,10 @@
 namespace plsc {
 
 namespace {
+
+// Of behaviour, since schema 3.
+constexpr std::string_view kNewMeasures[] = {"servo_error_median",
+                                             "servo_error_worst", "core_turns"};
 
 std::vector<std::string> Names(const std::vector<NamedValue>& list) {
   std::vector<std::string> names;
@@ -45,26 +52,14 @@ constexpr const char* kRun = R"sql(CREATE TABLE run(
   plsc TEXT NOT NULL,  -- versions
   ode TEXT NOT NULL,
   compiler TEXT NOT NULL,
-  machine TEXT NOT NULL,  -- its kind: of the same kind, the same bits; or 'any'
-  results INTEGER NOT NULL,  -- number of the arithmetic
+  machine TEXT NOT NULL,  -- its kind: of the same kind, the same bits{}
   experiment TEXT NOT NULL,  -- YAML, every value
   scenario TEXT NOT NULL,  -- YAML, every value
   checksum INTEGER NOT NULL))sql";
 
-constexpr const char* kFirstRun = R"sql(CREATE TABLE run(
-  id INTEGER PRIMARY KEY CHECK (id = 1),
-  name TEXT NOT NULL,
-  seed TEXT NOT NULL,  -- decimal; an INTEGER holds only half of them
-  generations INTEGER NOT NULL,  -- to be made, the initial one included
-  evaluations INTEGER NOT NULL,  -- to be made
-  random TEXT NOT NULL,  -- where random numbers come from
-  plsc TEXT NOT NULL,  -- versions
-  ode TEXT NOT NULL,
-  compiler TEXT NOT NULL,
-  machine TEXT NOT NULL,  -- its kind: of the same kind, the same bits
-  experiment TEXT NOT NULL,  -- YAML, every value
-  scenario TEXT NOT NULL,  -- YAML, every value
-  checksum INTEGER NOT NULL))sql";
+// What schema 2 has more.
+constexpr const char* kRunResults = R"sql(; or 'any'
+  results INTEGER NOT NULL,  -- number of the arithmetic)sql";
 
 constexpr const char* kSeason = R"sql(CREATE TABLE season(
   id INTEGER PRIMARY KEY,  -- from 1, in the scenario's order
@@ -153,7 +148,19 @@ constexpr const char* kEvaluation = R"sql(CREATE TABLE evaluation(
 constexpr const char* kGeneration = R"sql(CREATE TABLE generation(
   number INTEGER PRIMARY KEY,  -- from 0; a row when it is completed
   best INTEGER NOT NULL REFERENCES individual,
-  checksum INTEGER NOT NULL))sql";
+{}  checksum INTEGER NOT NULL))sql";
+
+// Of its survivors, since schema 3.
+constexpr const char* kCensus = R"sql(  -- of its survivors, how many:
+  genotypes INTEGER NOT NULL,  -- distinct, names apart
+  phenotypes INTEGER NOT NULL,  -- distinct, the robots of all seasons together
+  founders INTEGER NOT NULL,  -- of generation 0 have rules in them
+  plastic_bodies INTEGER NOT NULL,  -- have another body in some season
+  plastic_brains INTEGER NOT NULL,  -- have the same body, another brain
+  rules INTEGER NOT NULL,  -- rules they have, all together
+  regulated_rules INTEGER NOT NULL,  -- of these have a clause
+  silent_rules INTEGER NOT NULL,  -- of these were active in no season
+)sql";
 
 constexpr const char* kMember = R"sql(CREATE TABLE member(
   generation INTEGER NOT NULL REFERENCES generation,
@@ -227,10 +234,10 @@ constexpr const char* kNext =
       (SELECT max(number) FROM generation)), 0)
   FROM run)sql";
 
-std::vector<SchemaItem> MakeSchema(const char* run) {
+std::vector<SchemaItem> MakeSchema(int version) {
   const auto body = BodyColumns();
   const auto brain = BrainColumns();
-  const auto behaviour = BehaviourColumns();
+  const auto behaviour = BehaviourColumns(version);
   const auto table = [](const char* name, std::string sql, const char* order) {
     return SchemaItem{name, std::move(sql), SchemaKind::kTable, true, order};
   };
@@ -238,7 +245,7 @@ std::vector<SchemaItem> MakeSchema(const char* run) {
     return SchemaItem{name, std::move(sql), SchemaKind::kView, true, ""};
   };
   return {
-      table("run", run, "id"),
+      table("run", fmt::format(kRun, version < 2 ? "" : kRunResults), "id"),
       table("season", kSeason, "id"),
       table("physics", kPhysics, "season, name"),
       table("header", kHeader, "id"),
@@ -250,7 +257,8 @@ std::vector<SchemaItem> MakeSchema(const char* run) {
       table("phenotype", fmt::format(kPhenotype, Columns(brain)), "key"),
       table("simulation", fmt::format(kSimulation, Columns(behaviour)), "key"),
       table("evaluation", kEvaluation, "individual, season"),
-      table("generation", kGeneration, "number"),
+      table("generation", fmt::format(kGeneration, version < 3 ? "" : kCensus),
+            "number"),
       table("member", kMember, "generation, individual"),
       {"session", kSession, SchemaKind::kTable, false, "id"},
       view("genotype", kGenotype),
@@ -267,9 +275,11 @@ std::vector<SchemaItem> MakeSchema(const char* run) {
 }  // namespace
 
 const std::vector<SchemaItem>& Schema(int version) {
-  static const std::vector<SchemaItem> first = MakeSchema(kFirstRun);
-  static const std::vector<SchemaItem> schema = MakeSchema(kRun);
-  return version == kSchemaVersion ? schema : first;
+  static const std::vector<SchemaItem> all[] = {MakeSchema(1), MakeSchema(2),
+                                                MakeSchema(3)};
+  static_assert(std::size(all) == kSchemaVersion);
+  assert(version >= kOldestSchema && version <= kSchemaVersion);
+  return all[version - kOldestSchema];
 }
 
 int SchemaOf(Database& database) {
@@ -285,8 +295,22 @@ std::vector<std::string> BrainColumns() {
   return Names(List(BrainDescriptors{}));
 }
 
-std::vector<std::string> BehaviourColumns() {
-  return Names(List(Behaviour{}));
+std::vector<std::string> BehaviourColumns(int version) {
+  std::vector<std::string> names = Names(List(Behaviour{}));
+  for (const std::string& missing : MissingMeasures(version))
+    std::erase(names, missing);
+  return names;
+}
+
+std::vector<std::string> CensusColumns(int version) {
+  if (version < 3) return {};
+  return {"genotypes",      "phenotypes", "founders",        "plastic_bodies",
+          "plastic_brains", "rules",      "regulated_rules", "silent_rules"};
+}
+
+std::vector<std::string> MissingMeasures(int version) {
+  if (version >= 3) return {};
+  return {std::begin(kNewMeasures), std::end(kNewMeasures)};
 }
 
 }  // namespace plsc

@@ -16,9 +16,11 @@ class Database;
 /// "plsc" in a file's header: PRAGMA application_id.
 inline constexpr int kApplicationId = 0x706c7363;
 /// PRAGMA user_version. To be raised by 1 at every change of the schema.
-inline constexpr int kSchemaVersion = 2;
-/// Of the oldest that are read. They have no column run.results, as all of
-/// them are of the first arithmetic (sim/results.h).
+inline constexpr int kSchemaVersion = 3;
+/// Of the oldest that are read. Stores of schema 1 have no column run.results,
+/// as all of them are of the first arithmetic (sim/results.h); before schema 3
+/// there were neither servo errors and turns of the core nor the counts of
+/// each generation (MissingMeasures).
 inline constexpr int kOldestSchema = 1;
 
 enum class SchemaKind : std::uint8_t { kTable, kIndex, kView };
@@ -43,6 +45,13 @@ int SchemaOf(Database& database);
 /// Names of descriptors as columns, "branching, branching_modules_count, ...".
 std::vector<std::string> BodyColumns();
 std::vector<std::string> BrainColumns();
-std::vector<std::string> BehaviourColumns();
+std::vector<std::string> BehaviourColumns(int version = kSchemaVersion);
+
+/// Of `generation`, in the order of CensusCounts (census.h); none before 3.
+std::vector<std::string> CensusColumns(int version = kSchemaVersion);
+
+/// Columns of behaviour that stores of this version lack and those of this
+/// program have.
+std::vector<std::string> MissingMeasures(int version);
 
 }  // namespace plsc

@@ -37,14 +37,33 @@ std::string Damaged(const Database& database, const std::string& what) {
   return fmt::format("'{}' is damaged: {}", database.path(), what);
 }
 
+/// ", NULL AS a, NULL AS b".
+std::string Nulls(const std::vector<std::string>& columns) {
+  std::string text;
+  for (const std::string& column : columns)
+    text += fmt::format(", NULL AS {}", column);
+  return text;
+}
+
 /// What the older schema lacks is there for this connection, so that all
-/// queries are of one schema. Nothing of it gets into the file.
-void AddWhatIsNew(Database& database) {
-  database.Run(
-      "CREATE TEMP VIEW IF NOT EXISTS run AS "
-      "SELECT id, name, seed, generations, evaluations, random, plsc, ode, "
-      "compiler, machine, 1 AS results, experiment, scenario, checksum "
-      "FROM main.run");
+/// queries are of one schema; what it cannot be known any more is NULL. Nothing
+/// of it gets into the file.
+void AddWhatIsNew(Database& database, int version) {
+  const auto add = [&](const char* table, const std::string& more) {
+    database.Run(
+        fmt::format("CREATE TEMP VIEW IF NOT EXISTS {0} AS "
+                    "SELECT *{1} FROM main.{0}",
+                    table, more));
+  };
+  if (version < 2) add("run", ", 1 AS results");
+  if (version >= 3) return;
+  add("simulation", Nulls(MissingMeasures(version)));
+  add("generation", Nulls(CensusColumns()));
+  // As it is, over these.
+  for (const SchemaItem& item : Schema())
+    if (item.name == "result")
+      database.Run("CREATE TEMP VIEW IF NOT EXISTS" +
+                   item.sql.substr(std::string("CREATE VIEW").size()));
 }
 
 bool HasSchema(Database& database) {
@@ -194,7 +213,7 @@ MaybeFailure CheckIdentity(Database& database) {
   if (database.has_failed()) return database.TakeFailure();
   if (!has_schema)
     return Damaged(database, "its tables are not those of a run");
-  if (version < kSchemaVersion) AddWhatIsNew(database);
+  if (version < kSchemaVersion) AddWhatIsNew(database, version);
   return database.TakeFailure();
 }
 

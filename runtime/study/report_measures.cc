@@ -33,11 +33,18 @@ bool IsSpeed(const std::string& id) {
   return id.find("velocity") != std::string::npos;
 }
 
+/// As shown.
+std::string UnitOf(const std::string& id) {
+  if (IsSpeed(id)) return "cm/s";
+  if (id.find("servo_error") != std::string::npos) return "rad/s";
+  return id == "core_turns" ? "1/m" : "";
+}
+
 void AddOthers(const std::vector<std::string>& columns, MeasureSource source,
                Measures& all) {
   for (const std::string& id : columns)
     if (!Has(all, id))
-      all.push_back({id, TitleOf(id), IsSpeed(id) ? "cm/s" : "",
+      all.push_back({id, TitleOf(id), UnitOf(id),
                      IsSpeed(id) ? kCentimetres : 1, source});
 }
 

@@ -206,6 +206,10 @@ double ArticulatedEngine::JointAngle(int joint) const {
   return state_.links[At(joint + 1)].angle;
 }
 
+double ArticulatedEngine::JointSpeed(int joint) const {
+  return state_.links[At(joint + 1)].speed;
+}
+
 LinkPose ArticulatedEngine::PoseOf(int link) const {
   return {PositionOf(link), axes_ * state_.links[At(link)].axes};
 }

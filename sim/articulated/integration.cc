@@ -78,9 +78,9 @@ double Move(const Model& model, const std::vector<double>& targets,
     momentum += model.links()[k].mass * own.carried;
     own.drift = own.place + step * own.carried;  // from the base as it was
     if (k == 0) continue;
-    const double speed = targets[k] + (excess ? (*excess)[k] : 0);
-    own.angle += step * speed;
-    fastest = std::max(fastest, std::abs(speed));
+    own.speed = targets[k] + (excess ? (*excess)[k] : 0);
+    own.angle += step * own.speed;
+    fastest = std::max(fastest, std::abs(own.speed));
   }
   const Eigen::Quaterniond turning =
       Eigen::Quaterniond(0, w.x(), w.y(), w.z()) * state.turned;

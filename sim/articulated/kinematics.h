@@ -40,6 +40,7 @@ struct LinkState {
   /// m, of its joint, from the base's centre
   Eigen::Vector3d anchor = Eigen::Vector3d::Zero();
   double angle = 0;  ///< rad, of its joint
+  double speed = 0;  ///< rad/s, of its joint in the last step
 
   // As the last step left them, at the pose before.
   /// m/s

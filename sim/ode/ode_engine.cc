@@ -264,6 +264,10 @@ double OdeEngine::JointAngle(int joint) const {
   return dJointGetHingeAngle(hinges[static_cast<std::size_t>(joint)]);
 }
 
+double OdeEngine::JointSpeed(int joint) const {
+  return dJointGetHingeAngleRate(hinges[static_cast<std::size_t>(joint)]);
+}
+
 LinkPose OdeEngine::PoseOf(int link) const {
   const dBodyID body = bodies[static_cast<std::size_t>(link)];
   return {ToVector(dBodyGetPosition(body)), ToMatrix(dBodyGetRotation(body))};

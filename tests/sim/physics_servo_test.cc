@@ -80,5 +80,49 @@ TEST_CASE("A servo follows a step as its gain, clamp and rate say",
   }
 }
 
+TEST_CASE("Servos within their torque do what they are told", "[physics]") {
+  const EngineKind engine = test::EachEngine();
+  CAPTURE(engine);
+  SimulationOptions options = test::FreeFlight(engine);
+  options.duration = 5;
+  const Phenotype robot = WithOscillators(Cross(), 1, 4);
+  const Trajectory able = Simulate(robot, {}, options);
+  REQUIRE(able.outcome == Outcome::kCompleted);
+  // ODE's damping takes a ten-thousandth of a speed of at most 1 rad/s.
+  CHECK(able.servo_error_median <= 1e-4);
+  options.servo.max_torque = 1e-9;
+  const Trajectory weak = Simulate(robot, {}, options);
+  REQUIRE(weak.outcome == Outcome::kCompleted);
+  CHECK(weak.servo_error_median > 0.1);
+  CHECK(weak.servo_error_worst > weak.servo_error_median);
+  CHECK(weak.servo_error_worst <= 1.01);  // braked, or told 1 rad/s
+}
+
+TEST_CASE("A solver that has not converged shows", "[physics]") {
+  SimulationOptions options;
+  options.duration = 5;
+  options.start_height.reset();
+  const Phenotype robot = WithOscillators(Cross(), 1, 4);
+  const double direct = Simulate(robot, {}, options).servo_error_median;
+  options.physics.solver = Solver::kIterative;
+  options.physics.solver_iterations = 20;
+  const double hasty = Simulate(robot, {}, options).servo_error_median;
+  options.physics.solver_iterations = 2000;
+  const double patient = Simulate(robot, {}, options).servo_error_median;
+  CAPTURE(direct, hasty, patient);
+  CHECK(hasty > 5 * direct);
+  CHECK(hasty > 5 * patient);
+}
+
+TEST_CASE("A robot without joints has no errors", "[physics]") {
+  const EngineKind engine = test::EachEngine();
+  SimulationOptions options = test::With(engine);
+  options.duration = 1;
+  const Trajectory life = Simulate({LoneCore(), {}}, {}, options);
+  REQUIRE(life.outcome == Outcome::kCompleted);
+  CHECK(life.servo_error_median == 0);
+  CHECK(life.servo_error_worst == 0);
+}
+
 }  // namespace
 }  // namespace plsc

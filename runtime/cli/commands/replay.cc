@@ -12,6 +12,7 @@
 #include "runtime/cli/commands/replay_compare.h"
 #include "runtime/cli/files/open_run.h"
 #include "runtime/cli/running/relive.h"
+#include "runtime/store/schema.h"
 #include "runtime/store/verify.h"
 #include "runtime/text/json_dump.h"
 #include "sim/results.h"
@@ -148,6 +149,12 @@ Exit Run(const ReplayCommand& command, Io& io) {
         "note: {} was made by other arithmetic (results {}, and of this "
         "program {}): differences expected\n",
         Escaped(command.run), versions.results, kResults);
+  if (const auto missing = MissingMeasures(store.schema());
+      !missing.empty() && !command.engine)
+    io.err << fmt::format(
+        "note: {} is a store of schema {}, without {}: these are not "
+        "compared\n",
+        Escaped(command.run), store.schema(), fmt::join(missing, ", "));
   if (command.engine) return ReplayByEngine(command, store, io);
   const Expected<std::vector<int>, Failure> ids = ChosenIds(command, store);
   if (!ids) return Complain(ids.error(), io);

@@ -40,6 +40,13 @@ class SeasonComparison {
     for (std::size_t i = 0; i < stored.size(); ++i)
       Add(stored[i].name, stored[i].value, now[i].value);
   }
+  // A store of before lacks some.
+  void AddKnown(const std::vector<NamedValue>& stored,
+                const std::vector<NamedValue>& now) {
+    for (std::size_t i = 0; i < stored.size(); ++i)
+      if (!std::isnan(stored[i].value))
+        Add(stored[i].name, stored[i].value, now[i].value);
+  }
 
  private:
   const std::string& season_;
@@ -68,7 +75,7 @@ void CompareSeasons(const SeasonResult& stored, const SeasonResult& now,
   comparison.Add("fitness", stored.fitness, now.fitness);
   comparison.Add(List(stored.body), List(now.body));
   comparison.Add(List(stored.brain), List(now.brain));
-  comparison.Add(List(stored.behaviour), List(now.behaviour));
+  comparison.AddKnown(List(stored.behaviour), List(now.behaviour));
   comparison.Add("state_hash", fmt::format("{:016x}", stored.state_hash),
                  fmt::format("{:016x}", now.state_hash));
   comparison.Add("steps", fmt::format("{}", stored.steps),

@@ -10,6 +10,7 @@
 #include "runtime/cli/commands/robot_text.h"
 #include "runtime/cli/files/open_run.h"
 #include "runtime/life/season_json.h"
+#include "runtime/store/census_json.h"
 #include "runtime/store/heritage_json.h"
 #include "runtime/store/lock.h"
 #include "runtime/store/verify.h"
@@ -123,6 +124,8 @@ struct Standing {
   RunStatus status;
   std::string worker;  ///< who works on it; empty: nobody
   const char* state = "";
+  /// Of the last completed generation.
+  std::optional<CensusCounts> census;
 };
 
 void PrintRunJson(const ShowCommand& command, const RunStore& store,
@@ -139,6 +142,9 @@ void PrintRunJson(const ShowCommand& command, const RunStore& store,
   json["evaluations"] = status.evaluations;
   json["total_evaluations"] = Evaluations(experiment);
   json["best"] = status.best == 0 ? Json(nullptr) : Json(status.best);
+  json["census"] =
+      standing.census ? CensusJson(*standing.census) : Json(nullptr);
+  json["schema"] = store.schema();
   json["versions"] = {{"plsc", store.versions().plsc},
                       {"ode", store.versions().ode},
                       {"compiler", store.versions().compiler},
@@ -162,6 +168,26 @@ void PrintRunText(const RunStore& store, const Standing& standing,
       Evaluations(experiment));
 }
 
+/// How alike the robots of the last generation are, and how plastic.
+void PrintCensus(const CensusCounts& counts, const Experiment& experiment,
+                 std::ostream& out) {
+  out << fmt::format(
+      "population: {} different genotypes and {} different robots, of {} of {} "
+      "founders\n",
+      counts.genotypes, counts.phenotypes, counts.founders,
+      experiment.population);
+  if (counts.regulated_rules == 0) return;
+  const auto percent = [](std::int64_t part, std::int64_t of) {
+    return 100 * static_cast<double>(part) / static_cast<double>(of);
+  };
+  out << fmt::format(
+      "plasticity: {} with other bodies and {} with other brains only, of {} "
+      "robots; {:.0f} % of rules have a clause, {:.0f} % were never active\n",
+      counts.plastic_bodies, counts.plastic_brains, experiment.population,
+      percent(counts.regulated_rules, counts.rules),
+      percent(counts.silent_rules, counts.rules));
+}
+
 void PrintBest(const Individual& best, std::ostream& out) {
   out << fmt::format("best: {} of generation {}\n", best.id, best.generation);
   for (const SeasonResult& season : best.evaluation.seasons)
@@ -173,10 +199,16 @@ Exit ShowRun(const ShowCommand& command,
              Io& io) {
   const Expected<RunStatus, Failure> status = store.Status();
   if (!status) return Complain(status.error(), io);
-  const Standing standing{*status, worker.value_or(""),
-                          status->is_finished ? "finished"
-                          : worker            ? "running"
-                                              : "unfinished"};
+  Standing standing{*status,
+                    worker.value_or(""),
+                    status->is_finished ? "finished"
+                    : worker            ? "running"
+                                        : "unfinished",
+                    {}};
+  const Expected<std::vector<CensusCounts>, Failure> censuses =
+      store.Censuses();
+  if (!censuses) return Complain(censuses.error(), io);
+  if (!censuses->empty()) standing.census = censuses->back();
   std::optional<Individual> best;
   if (status->best != 0) {
     Expected<Individual, Failure> found = store.Find(status->best);
@@ -188,6 +220,8 @@ Exit ShowRun(const ShowCommand& command,
     return Exit::kFine;
   }
   PrintRunText(store, standing, io.out);
+  if (standing.census)
+    PrintCensus(*standing.census, store.experiment(), io.out);
   if (best) PrintBest(*best, io.out);
   io.out << (command.verify ? "checksums: of all results, and right\n"
              : best ? "checksums: of the best robot, and right (of all: "

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <ostream>
 #include <utility>
@@ -84,8 +85,9 @@ std::vector<std::pair<std::string_view, std::string>> DescriptorsOf(
   std::vector<std::pair<std::string_view, std::string>> all;
   const auto add = [&](const std::vector<NamedValue>& values, bool is_known) {
     for (const NamedValue& value : values)
-      all.emplace_back(value.name,
-                       is_known ? fmt::format("{:.6g}", value.value) : "-");
+      all.emplace_back(value.name, is_known && !std::isnan(value.value)
+                                       ? fmt::format("{:.6g}", value.value)
+                                       : "-");
   };
   const bool has_robot = result.body.absolute_size > 0;
   add(List(result.behaviour), result.behaviour.is_valid);

@@ -29,6 +29,7 @@
 #include "runtime/store/lock.h"
 #include "runtime/store/run_store.h"
 #include "runtime/store/salvage.h"
+#include "runtime/store/schema.h"
 #include "runtime/store/shared_cache.h"
 #include "runtime/workers/worker_count.h"
 #include "runtime/workers/worker_pool.h"
@@ -104,8 +105,15 @@ MaybeFailure OpenSalvage(RunRequest& request, Salvage& salvage, Io& io) {
         "--allow-other-version)",
         request.salvage, VersionsText(salvage.versions()), VersionsText(own));
   if (own_experiment) request.experiment = own_experiment;
-  io.err << fmt::format("{} simulated seasons of '{}' can be used\n",
-                        salvage.size(), request.salvage);
+  if (salvage.schema() < kSchemaVersion)
+    io.err << fmt::format(
+        "'{}' is a store of schema {}, whose simulations lack {}: all are made "
+        "again\n",
+        request.salvage, salvage.schema(),
+        fmt::join(MissingMeasures(salvage.schema()), ", "));
+  else
+    io.err << fmt::format("{} simulated seasons of '{}' can be used\n",
+                          salvage.size(), request.salvage);
   return std::nullopt;
 }
 

@@ -1,5 +1,7 @@
-// A run that plsc 0.1.0 made: a store of the first schema, whose scenario knows
-// no engine. All commands that read runs take it.
+// Runs that older programs made. plsc 0.1.0: a store of the first schema, whose
+// scenario knows no engine. Schema 2: without servo errors and turns of the
+// core, and without a census of each generation. All commands that read runs
+// take them.
 
 #include <catch2/catch.hpp>
 #include <filesystem>
@@ -17,9 +19,11 @@ using test::ReadFile;
 using test::RunPlsc;
 
 struct OlderRun {
-  OlderRun() : path(folder / "old.sqlite") {
+  explicit OlderRun(int schema = 1) : path(folder / "old.sqlite") {
     std::filesystem::copy_file(
-        test::InRepository("tests/data/run_schema_1.sqlite"), path);
+        test::InRepository("tests/data/run_schema_" + std::to_string(schema) +
+                           ".sqlite"),
+        path);
   }
   test::TemporaryFolder folder;
   std::string path;
@@ -63,6 +67,77 @@ TEST_CASE("a run of 0.1.0 is read by every command", "[older_run]") {
   CHECK(Tells(replayed.err, "differences expected"));
   CHECK_FALSE(Tells(replayed.out, "simulation: stored"));
   CHECK(RunPlsc({"replay", run.path, "--engine", "articulated"}).exit == 0);
+  CHECK(ReadFile(run.path) == before);
+}
+
+TEST_CASE("a run of schema 2 is read, and what it lacks is told",
+          "[older_run]") {
+  const OlderRun run(2);
+  const std::string before = ReadFile(run.path);
+  const auto shown = RunPlsc({"show", run.path, "--verify"});
+  INFO(shown.err);
+  CHECK(shown.exit == 0);
+  CHECK(Tells(shown.out, "by plsc 0.2.0, results 2"));
+  CHECK(Tells(shown.out, " different genotypes and "));
+  const Json json =
+      Json::parse(RunPlsc({"show", run.path, "--format", "json"}).out);
+  CHECK(json["schema"] == 2);
+  CHECK(json["census"]["founders"] == 3);
+  const Json best =
+      Json::parse(RunPlsc({"show", run.path, "best", "--format", "json"}).out);
+  const Json& behaviour = best["seasons"][0]["behaviour"];
+  CHECK(behaviour["contacts"].is_number());
+  CHECK(behaviour["core_turns"].is_null());
+  CHECK(RunPlsc({"draw", run.path, "best"}).exit == 0);
+  CHECK(RunPlsc({"why", run.path, "best", "--module", "1"}).exit == 0);
+  REQUIRE(RunPlsc({"export", run.path, "--csv", run.folder / "csv"}).exit == 0);
+  const std::string results = ReadFile(run.folder / "csv/results.csv");
+  CHECK(Tells(results,
+              ",contacts,servo_error_median,servo_error_worst,"
+              "core_turns,steps,"));
+  CHECK(Tells(results, ",,,,400,"));  // empty cells
+  CHECK(Tells(ReadFile(run.folder / "csv/generations.csv"),
+              "number,best,genotypes,"));
+  CHECK(RunPlsc({"export", run.path, "--jsonl"}).exit == 0);
+  CHECK(RunPlsc({"report", run.path, "--format", "json"}).exit == 0);
+  if (HasPages())
+    CHECK(RunPlsc({"view", run.path, "best", "-o", run.folder / "page.html"})
+              .exit == 0);
+  // Its arithmetic is this program's: all that it has comes again.
+  const auto replayed = RunPlsc({"replay", run.path, "--all"});
+  INFO(replayed.out);
+  CHECK(replayed.exit == 0);
+  CHECK(Tells(replayed.err,
+              "is a store of schema 2, without servo_error_median, "
+              "servo_error_worst, core_turns: these are not compared"));
+  CHECK(ReadFile(run.path) == before);
+}
+
+TEST_CASE("a run of schema 2 is not gone on with, but made again",
+          "[older_run]") {
+  const OlderRun run(2);
+  const std::string before = ReadFile(run.path);
+  const auto refused = RunPlsc({"evolve", "--resume", run.path});
+  CHECK(refused.exit == 1);
+  CHECK(
+      Tells(refused.err, "is a store of schema 2, and this program's have 3"));
+  CHECK(Tells(refused.err, "(plsc 0.2.0) goes on with it"));
+  CHECK(
+      RunPlsc({"evolve", "--resume", run.path, "--allow-other-version"}).exit ==
+      1);
+  const auto again =
+      RunPlsc({"evolve", "--salvage", run.path, "-o", run.folder / "new",
+               "--quiet", "--allow-other-version"});
+  CHECK(again.exit == 0);
+  CHECK(Tells(again.err,
+              "is a store of schema 2, whose simulations lack "
+              "servo_error_median"));
+  const Json one = Json::parse(
+      RunPlsc({"show", run.folder / "new", "--format", "json"}).out);
+  CHECK(one["schema"] == 3);
+  const Json two =
+      Json::parse(RunPlsc({"show", run.path, "--format", "json"}).out);
+  CHECK(one["census"] == two["census"]);  // kept, and counted afterwards
   CHECK(ReadFile(run.path) == before);
 }
 

@@ -2,7 +2,10 @@
 
 #include <catch2/catch.hpp>
 #include <string>
+#include <tuple>
 #include <vector>
+
+#include "runtime/scenario/scenario_profile.h"
 
 namespace plsc {
 
@@ -130,6 +133,41 @@ TEST_CASE("A profile at the top holds for a scenario that names none",
   // Whoever reads the file knows by which profile.
   CHECK(ParseExperiment(Source("e", top + "scenario: s.yaml\n"))
             ->scenario.profile == Profile::kSwift);
+}
+
+TEST_CASE("As published are the operators, too, if it is said at the top",
+          "[experiment]") {
+  const auto read = [](const std::string& yaml) {
+    const auto experiment = ParseExperiment(Source("e", yaml));
+    REQUIRE(experiment);
+    // All is written out, so what was printed means the same for ever.
+    const auto again =
+        ParseExperiment(Source("e", PrintExperiment(*experiment)));
+    REQUIRE(again);
+    CHECK(*again == *experiment);
+    return *experiment;
+  };
+  const auto habits = [](const Experiment& one) {
+    return std::tuple(one.variation.insertion, one.variation.removal,
+                      one.inheritance);
+  };
+  const auto papers = std::tuple(InsertionPoint::kAnywhere,
+                                 Removal::kByPosition, Inheritance::kGenotype);
+  const auto published = std::tuple(InsertionPoint::kBeforeEnd,
+                                    Removal::kByValue, Inheritance::kJoined);
+  const Experiment all = read("profile: published\n");
+  CHECK(habits(all) == published);
+  CHECK(all.scenario == PublishedScenario());
+  CHECK(habits(read("profile: swift\n")) == papers);
+  CHECK(habits(read("scenario: {profile: published, seasons: [{}]}\n"
+                    "encoding: baseline\n")) == papers);
+  CHECK(habits(read("profile: published\nencoding: baseline\n"
+                    "scenario: {profile: paper, seasons: [{}]}\n")) ==
+        published);
+  const Experiment some =
+      read("profile: published\ninsertion: anywhere\ninheritance: genotype\n");
+  CHECK(habits(some) == std::tuple(InsertionPoint::kAnywhere, Removal::kByValue,
+                                   Inheritance::kGenotype));
 }
 
 TEST_CASE("The largest population is one of the paper's genotypes",

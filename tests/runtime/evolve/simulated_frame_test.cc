@@ -19,6 +19,9 @@ std::vector<Simulated> Example() {
   flat.behaviour.velocity = 2.0 / 3;
   flat.behaviour.head_balance = std::numeric_limits<double>::denorm_min();
   flat.behaviour.contacts = -0.0;
+  flat.behaviour.servo_error_median = 1e-7;
+  flat.behaviour.servo_error_worst = 1.0 / 7;
+  flat.behaviour.core_turns = std::nextafter(3.0, 4.0);
   flat.state_hash = 0xFEDCBA9876543210u;
   flat.steps = 123456789012;
   flat.solver_warnings = 3;
@@ -46,6 +49,9 @@ TEST_CASE("What was simulated arrives bit for bit", "[simulated_frame]") {
   CHECK(flat.behaviour.head_balance ==
         std::numeric_limits<double>::denorm_min());
   CHECK(std::signbit(flat.behaviour.contacts));
+  CHECK(flat.behaviour.servo_error_median == 1e-7);
+  CHECK(flat.behaviour.servo_error_worst == 1.0 / 7);
+  CHECK(flat.behaviour.core_turns == std::nextafter(3.0, 4.0));
   CHECK(flat.state_hash == 0xFEDCBA9876543210u);
   CHECK(flat.steps == 123456789012);
   CHECK(flat.solver_warnings == 3);

@@ -1,6 +1,7 @@
 #include "runtime/store/schema.h"
 
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <filesystem>
 #include <set>
 #include <string>
@@ -48,52 +49,83 @@ TEST_CASE("The schema's items can be compared row by row", "[schema]") {
   }
 }
 
-TEST_CASE("The first schema differs in what the run is alone", "[schema]") {
-  const auto& first = Schema(kOldestSchema);
+TEST_CASE("Older schemas differ in what they lack alone", "[schema]") {
   const auto& now = Schema();
-  REQUIRE(first.size() == now.size());
-  for (std::size_t i = 0; i < now.size(); ++i) {
-    CAPTURE(now[i].name);
-    CHECK(first[i].name == now[i].name);
-    CHECK((first[i].sql == now[i].sql) == (now[i].name != "run"));
+  for (const int version : {1, 2}) {
+    const auto& older = Schema(version);
+    REQUIRE(older.size() == now.size());
+    std::set<std::string> changed;
+    for (std::size_t i = 0; i < now.size(); ++i) {
+      CHECK(older[i].name == now[i].name);
+      if (older[i].sql != now[i].sql) changed.insert(now[i].name);
+    }
+    std::set<std::string> expected = {"simulation", "generation", "result"};
+    if (version == 1) expected.insert("run");
+    CHECK(changed == expected);
   }
+  CHECK(MissingMeasures(kSchemaVersion).empty());
+  CHECK(MissingMeasures(2) == std::vector<std::string>{"servo_error_median",
+                                                       "servo_error_worst",
+                                                       "core_turns"});
 }
 
-TEST_CASE("A store of the first schema is read as one of this", "[schema]") {
-  const test::Scratch scratch;
-  const std::string path = scratch / "run";
-  std::filesystem::copy_file(PLSC_SOURCE_DIR "/tests/data/run_schema_1.sqlite",
-                             path);
-  const std::string before = test::ReadBytes(path);
-  RunStore store;
-  REQUIRE(store.OpenForReading(path) == std::nullopt);
-  CHECK(store.versions().results == 1);
-  CHECK(store.versions().plsc == "0.1.0");
-  CHECK(store.experiment().name == "older");
-  CHECK(UsesOde(store.experiment().scenario));
-  const auto best = store.Find(store.Status()->best);
-  REQUIRE(best);
-  CHECK(best->evaluation.seasons.size() == 2);
-  REQUIRE(store.Close() == std::nullopt);
-  CHECK(Examine(path).problem == std::nullopt);
-  CHECK(Examine(path).whole_generations == 2);
-  // Refused, and not changed.
-  const auto refused = store.Open(path);
-  REQUIRE(refused);
-  CHECK(refused->text.find("was made by other arithmetic: its results have "
-                           "number 1 (plsc 0.1.0)") != std::string::npos);
-  CHECK(test::ReadBytes(path) == before);
-  // Who wants it all the same adds to it, in its schema.
-  REQUIRE(store.Open(path, true) == std::nullopt);
-  REQUIRE(store.BeginSession({"2026-01-01T00:00:00Z", 1}) == std::nullopt);
-  REQUIRE(store.EndSession({"2026-01-01T00:01:00Z", "finished", 1, 0, 0, 0, 1,
-                            1}) == std::nullopt);
-  REQUIRE(store.Close() == std::nullopt);
-  CHECK(Examine(path).problem == std::nullopt);
-  Salvage salvage;
-  REQUIRE(salvage.Open(path) == std::nullopt);
-  CHECK(salvage.versions().results == 1);
-  CHECK(salvage.size() > 0);
+struct OlderStore {
+  const char* file;
+  int schema;
+  int results;
+  const char* plsc;
+  const char* refused;
+};
+
+constexpr OlderStore kOlderStores[] = {
+    {"run_schema_1.sqlite", 1, 1, "0.1.0",
+     "was made by other arithmetic: its results have number 1 (plsc 0.1.0)"},
+    {"run_schema_2.sqlite", 2, 2, "0.2.0",
+     "is a store of schema 2, and this program's have 3: its lives lack "
+     "servo_error_median, servo_error_worst, core_turns"},
+};
+
+TEST_CASE("A store of an older schema is read as one of this", "[schema]") {
+  for (const OlderStore& older : kOlderStores) {
+    INFO(older.file);
+    const test::Scratch scratch;
+    const std::string path = scratch / "run";
+    std::filesystem::copy_file(
+        std::string(PLSC_SOURCE_DIR "/tests/data/") + older.file, path);
+    const std::string before = test::ReadBytes(path);
+    RunStore store;
+    REQUIRE(store.OpenForReading(path) == std::nullopt);
+    CHECK(store.schema() == older.schema);
+    CHECK(store.versions().results == older.results);
+    CHECK(store.versions().plsc == older.plsc);
+    CHECK(store.experiment().name == "older");
+    const auto best = store.Find(store.Status()->best);
+    REQUIRE(best);
+    REQUIRE(best->evaluation.seasons.size() == 2);
+    // Not known, and not 0.
+    const Behaviour& behaviour = best->evaluation.seasons[0].behaviour;
+    CHECK(behaviour.is_valid);
+    CHECK(std::isfinite(behaviour.contacts));
+    CHECK(std::isnan(behaviour.servo_error_median));
+    CHECK(std::isnan(behaviour.core_turns));
+    REQUIRE(store.Close() == std::nullopt);
+    CHECK(Examine(path).problem == std::nullopt);
+    CHECK(Examine(path).whole_generations == 2);
+    // No simulation of it can be used, and nothing is added to it.
+    Salvage salvage;
+    REQUIRE(salvage.Open(path) == std::nullopt);
+    CHECK(salvage.versions().results == older.results);
+    CHECK(salvage.schema() == older.schema);
+    CHECK(salvage.experiment());
+    CHECK(salvage.size() == 0);
+    const auto refused = store.Open(path);
+    REQUIRE(refused);
+    CHECK(refused->text.find(older.refused) != std::string::npos);
+    const auto always = store.Open(path, true);
+    REQUIRE(always);
+    CHECK(always->text.find("is a store of schema") != std::string::npos);
+    CHECK(test::ReadBytes(path) == before);
+  }
 }
 
 TEST_CASE("The view of what comes next is where the run stands", "[schema]") {
