@@ -96,8 +96,8 @@ class Drawing {
         life[i].lean = DrawError(options.noise.inclination, rng);
       }
     if (!options.own_lives && (trial_ == 1 || options.noise.inclination > 0))
-      keys_ = KeysOf(
-          planner_.Plan(one_.genotype, one_.heritage.senses, life), seasons_);
+      keys_ = KeysOf(planner_.Plan(one_.genotype, one_.heritage.senses, life),
+                     seasons_);
     for (std::size_t i = 0; i < seasons_; ++i) {
       const std::string what = options.own_lives
                                    ? fmt::format("{} in {}", whose_, i)
@@ -138,9 +138,9 @@ double MeanOf(const std::vector<double>& values) {
   return values[0] + sum / static_cast<double>(values.size());
 }
 
-/// What all trials of a season come to.
+/// What all trials of a season come to; a dead one with what stands behind it.
 void Combine(const std::vector<Trial>& trials, const TrialOptions& options,
-             SeasonResult& result) {
+             SeasonResult& result, SeasonEvidence& evidence) {
   std::vector<std::optional<double>> fitnesses;
   for (const Trial& trial : trials) fitnesses.push_back(trial.result.fitness);
   result.fitness = FitnessOver(fitnesses, options.quantile);
@@ -152,14 +152,17 @@ void Combine(const std::vector<Trial>& trials, const TrialOptions& options,
       std::find_if(trials.begin(), trials.end(), [](const Trial& trial) {
         return trial.result.outcome == Outcome::kWorkerDied;
       });
-  if (dead != trials.end())
+  if (dead != trials.end()) {
     result = dead->result;
-  else if (broken != trials.end())
+    evidence = dead->evidence;
+  } else if (broken != trials.end()) {
     result.outcome = broken->result.outcome;
+  }
   if (broken == trials.end() || trials.size() == 1) return;
   const auto& told = dead != trials.end() ? dead : broken;
-  result.reason = fmt::format("in trial {} of {}: {}", told - trials.begin() + 1,
-                              trials.size(), told->result.reason);
+  result.reason =
+      fmt::format("in trial {} of {}: {}", told - trials.begin() + 1,
+                  trials.size(), told->result.reason);
 }
 
 }  // namespace
@@ -171,8 +174,7 @@ std::vector<Disturbances> TrialsOf(const TrialPlan& plan,
   assert(one.disturbances.empty() && plan.options.count >= 1);
   std::vector<Disturbances> trials;
   Drawing drawing(plan, planner, one);
-  for (int i = 0; i < plan.options.count; ++i)
-    trials.push_back(drawing.Next());
+  for (int i = 0; i < plan.options.count; ++i) trials.push_back(drawing.Next());
   return trials;
 }
 
@@ -195,12 +197,14 @@ EvaluatedLife OverTrials(std::vector<EvaluatedLife> trials,
   if (!HasTrials(options)) return std::move(trials[0]);
   EvaluatedLife life = trials[0];
   for (std::size_t season = 0; season < life.evidence.size(); ++season) {
-    std::vector<Trial>& told = life.evidence[season].trials;
+    std::vector<Trial> told;
     for (std::size_t i = 0; i < trials.size(); ++i)
       told.push_back({DisturbanceIn(disturbances[i], season),
                       std::move(trials[i].evaluation.seasons[season]),
                       std::move(trials[i].evidence[season])});
-    Combine(told, options, life.evaluation.seasons[season]);
+    Combine(told, options, life.evaluation.seasons[season],
+            life.evidence[season]);
+    life.evidence[season].trials = std::move(told);
   }
   return life;
 }

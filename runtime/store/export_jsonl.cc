@@ -38,7 +38,41 @@ std::string RunLine(const RunStore& store) {
   return DumpJson(Json{{"run", run}}) + "\n";
 }
 
-std::string IndividualLine(const Individual& one) {
+Json TrialJson(const StoredTrial& trial) {
+  const Disturbance& disturbance = trial.disturbance;
+  const auto noise = [](const Noise& one) {
+    return Json{{"amplitude", one.amplitude},
+                {"seed", std::to_string(one.seed)}};
+  };
+  Json json;
+  json["fitness"] = trial.fitness ? Json(*trial.fitness) : Json(nullptr);
+  json["outcome"] = OutcomeName(trial.outcome);
+  json["reason"] = trial.reason;
+  json["lift"] = disturbance.lift;
+  json["shift"] = {disturbance.shift_x, disturbance.shift_y};
+  json["yaw"] = disturbance.yaw;
+  json["friction"] = disturbance.friction;
+  json["lean"] = disturbance.lean;
+  json["touch"] = noise(disturbance.touch);
+  json["motor"] = noise(disturbance.motor);
+  return json;
+}
+
+/// By season; nothing where there are none.
+std::string TrialsText(const std::vector<std::vector<StoredTrial>>& trials) {
+  if (trials.empty()) return "";
+  Json json = Json::array();
+  for (const std::vector<StoredTrial>& season : trials) {
+    json.push_back(Json::array());
+    for (const StoredTrial& trial : season)
+      json.back().push_back(TrialJson(trial));
+  }
+  return ",\"trials\":" + DumpJson(json);
+}
+
+std::string IndividualLine(
+    const Individual& one,
+    const std::vector<std::vector<StoredTrial>>& trials) {
   Json json;
   json["id"] = one.id;
   json["generation"] = one.generation;
@@ -52,8 +86,8 @@ std::string IndividualLine(const Individual& one) {
     if (!seasons.empty()) seasons += ',';
     seasons += SeasonJson(one.genotype, season);
   }
-  return fmt::format("{{\"individual\":{},\"seasons\":[{}]}}}}\n", text,
-                     seasons);
+  return fmt::format("{{\"individual\":{},\"seasons\":[{}]{}}}}}\n", text,
+                     seasons, TrialsText(trials));
 }
 
 std::string GenerationLine(const GenerationRecord& record,
@@ -96,7 +130,12 @@ MaybeFailure WriteJsonl(const std::string& run, const Sink& sink) {
       if (!damage) damage = one.error();
       continue;
     }
-    if (auto failure = sink(IndividualLine(*one))) return failure;
+    const auto trials = store.TrialsOf(id);
+    if (!trials) {
+      if (!damage) damage = trials.error();
+      continue;
+    }
+    if (auto failure = sink(IndividualLine(*one, *trials))) return failure;
   }
   const auto censuses = store.Censuses();
   for (const int number : health->generations) {

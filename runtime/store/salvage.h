@@ -18,6 +18,9 @@
 
 namespace plsc {
 
+class RunReader;
+struct StoredTrial;
+
 class Salvage : public SimulationCache {
  public:
   /// Reads all there is. Why it is of no use at all, or nothing.
@@ -37,6 +40,8 @@ class Salvage : public SimulationCache {
   MaybeFailure Add(const Key& key, const Simulated& simulated) override;
 
  private:
+  void TakeTrials(const std::vector<StoredTrial>& trials, RunReader& reader);
+
   std::map<Key, Simulated> known_;
   std::optional<Experiment> experiment_;
   Versions versions_;

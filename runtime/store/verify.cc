@@ -59,6 +59,12 @@ void AddWhatIsNew(Database& database, int version) {
   if (version >= 3) return;
   add("simulation", Nulls(MissingMeasures(version)));
   add("generation", Nulls(CensusColumns()));
+  database.Run(
+      "CREATE TEMP VIEW IF NOT EXISTS trial AS SELECT 0 AS individual, 0 AS "
+      "season, 0 AS number, NULL AS phenotype, NULL AS simulation, '' AS "
+      "outcome, '' AS reason, NULL AS fitness, 0 AS lift, 0 AS shift_x, 0 AS "
+      "shift_y, 0 AS yaw, 0 AS friction, 0 AS lean, 0 AS touch, '' AS "
+      "touch_seed, 0 AS motor, '' AS motor_seed WHERE 0");
   // As it is, over these.
   for (const SchemaItem& item : Schema())
     if (item.name == "result")

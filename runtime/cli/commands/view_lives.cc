@@ -30,7 +30,7 @@ struct LifeToView {
   std::string source;
   Genotype genotype;
   Scenario scenario;
-  Senses inherited;
+  Circumstances circumstances;
   std::string run;  ///< whose life it is again; empty: of none
   Versions versions;
   std::vector<SeasonResult> stored;
@@ -108,7 +108,7 @@ bool LoadRobots(const ViewInput& input, std::optional<EngineKind> engine,
   // A life of another engine is not the one of the run.
   const bool is_replay = scenario == as_stored;
   for (const int id : *ids) {
-    Expected<Individual, Failure> one = store.Find(id);
+    Expected<Individual, Failure> one = store.FindFirstLife(id);
     if (!one) {
       Complain(one.error(), io);
       return false;
@@ -116,10 +116,14 @@ bool LoadRobots(const ViewInput& input, std::optional<EngineKind> engine,
     const std::string source =
         fmt::format("{}, robot {}", FileName(input.path), id);
     // Nobody who was bred for another scenario is in a store.
-    viewed.emplace_back(
-        LifeToView{source, std::move(one->genotype), scenario,
-                   std::move(one->heritage.senses), is_replay ? input.path : "",
-                   store.versions(), std::move(one->evaluation.seasons)});
+    viewed.emplace_back(LifeToView{
+        source,
+        std::move(one->genotype),
+        scenario,
+        {std::move(one->heritage.senses), std::move(one->disturbances)},
+        is_replay ? input.path : "",
+        store.versions(),
+        std::move(one->evaluation.seasons)});
   }
   return true;
 }
@@ -157,7 +161,7 @@ std::string RemarkOn(const LifeToView& one,
 }
 
 std::optional<ViewedLife> LiveNow(const LifeToView& one, Io& io) {
-  RecordedLife life(one.genotype, one.scenario, one.inherited, true, io);
+  RecordedLife life(one.genotype, one.scenario, one.circumstances, true, io);
   std::vector<SeasonResult> results;
   while (!life.is_over()) {
     results.push_back(life.Next().result);
