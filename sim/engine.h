@@ -62,8 +62,9 @@ class Engine {
   /// False if the state went wrong; failure tells how.
   [[nodiscard]] virtual bool Step() = 0;
   virtual double JointAngle(int joint) const = 0;
-  /// rad/s, at which the latest step left the joint turning.
-  virtual double JointSpeed(int joint) const = 0;
+  /// rad/s, by joint: at which the latest step left them turning. One call for
+  /// all, as it is asked after every step.
+  virtual void TellJointSpeeds(std::vector<double>& speeds) const = 0;
   virtual LinkPose PoseOf(int link) const = 0;
   virtual LinkMotion MotionOf(int link) const = 0;
   /// Of where all links are and how they move, bit for bit.

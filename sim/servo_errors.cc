@@ -7,40 +7,17 @@
 
 #include "sim/servo_errors.h"
 
-#include <algorithm>
-#include <bit>
-#include <cmath>
+#include <numeric>
 
 namespace plsc {
-namespace {
-
-// Of a double: bits of the mantissa that are left out, the exponent of 1.
-constexpr int kShift = 52 - 5;
-constexpr std::int64_t kBias = 1023;
-
-// Octaves that have bins, 2^-30 (1e-9) to 2^10 rad/s, and what is beyond in the
-// first and the last: no link spins faster and counts as a robot's.
-constexpr std::int64_t kParts = 32;
-constexpr std::int64_t kFirst = (kBias - 30) * kParts;
-
-}  // namespace
-
-void ServoErrors::Add(double error) {
-  const double size = std::abs(error);
-  worst_ = std::max(worst_, size);
-  const auto leading =
-      static_cast<std::int64_t>(std::bit_cast<std::uint64_t>(size) >> kShift);
-  const std::int64_t bin = std::clamp<std::int64_t>(
-      leading - kFirst + 1, 0, static_cast<std::int64_t>(kBins) - 1);
-  ++counts_[static_cast<std::size_t>(bin)];
-  ++count_;
-}
 
 double ServoErrors::Median() const {
-  const std::uint64_t middle = (count_ + 1) / 2;
+  const std::uint64_t count =
+      std::accumulate(counts_.begin(), counts_.end(), std::uint64_t{0});
+  const std::uint64_t middle = (count + 1) / 2;
   std::uint64_t below = 0;
   std::size_t bin = 0;
-  while (bin + 1 < kBins && below + counts_[bin] < middle)
+  while (bin + 1 < counts_.size() && below + counts_[bin] < middle)
     below += counts_[bin++];
   if (bin == 0) return 0;
   const std::uint64_t leading = static_cast<std::uint64_t>(kFirst) + bin - 1;

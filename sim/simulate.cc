@@ -48,6 +48,7 @@ class Drive {
         sensors_.push_back(static_cast<int>(i));
       else if (IsJoint(modules[i].type))
         asked_.push_back(0);
+    speeds_ = asked_;
   }
 
   /// Before each step: sets the joints' speeds if an update is due.
@@ -67,9 +68,9 @@ class Drive {
 
   /// After each step: how far the joints are from what was asked of them.
   void Look(const World& world) {
-    for (int joint = 0; joint < world.joints(); ++joint)
-      errors_.Add(world.JointSpeed(joint) -
-                  asked_[static_cast<std::size_t>(joint)]);
+    world.TellJointSpeeds(speeds_);
+    for (std::size_t i = 0; i < speeds_.size(); ++i)
+      errors_.Add(speeds_[i] - asked_[i]);
   }
 
   Controller& controller() { return controller_; }
@@ -92,7 +93,8 @@ class Drive {
     return output + TargetError(motor_, updates_, joint) / (2 * servo_.range);
   }
 
-  std::vector<double> asked_;  ///< rad/s, by joint; braked until the first
+  std::vector<double> asked_;   ///< rad/s, by joint; braked until the first
+  std::vector<double> speeds_;  ///< likewise, after the latest step
   ServoErrors errors_;
   Controller controller_;
   RefreshSchedule schedule_;

@@ -66,8 +66,9 @@ double World::JointAngle(int joint) const {
   return engine_->JointAngle(joint);
 }
 
-double World::JointSpeed(int joint) const {
-  return engine_->JointSpeed(joint);
+void World::TellJointSpeeds(std::vector<double>& speeds) const {
+  assert(speeds.size() == static_cast<std::size_t>(joints()));
+  engine_->TellJointSpeeds(speeds);
 }
 
 int World::links() const {

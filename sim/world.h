@@ -50,7 +50,8 @@ class World {
 
   int joints() const;
   double JointAngle(int joint) const;  ///< rad
-  double JointSpeed(int joint) const;  ///< rad/s, after the latest step
+  /// rad/s, by joint, after the latest step; `speeds` has a place for each.
+  void TellJointSpeeds(std::vector<double>& speeds) const;
   int links() const;
   LinkPose PoseOf(int link) const;
   LinkMotion MotionOf(int link) const;

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace plsc {
@@ -49,6 +50,30 @@ const std::vector<double>& ValuesOf(const Series& series, Counted of) {
   return of == Counted::kBest ? series.best : series.means;
 }
 
+double RecordedOfRun(const StudyReport& report, std::size_t run,
+                     const Cell& cell, Counted of) {
+  const Series* series = SeriesOf(report, run, cell);
+  const auto generation = static_cast<std::size_t>(report.generation);
+  if (series == nullptr || generation >= ValuesOf(*series, of).size())
+    return std::numeric_limits<double>::quiet_NaN();
+  return ValuesOf(*series, of)[generation];
+}
+
+double RelivedOfRun(const StudyReport& report, std::size_t run,
+                    const Cell& cell, Counted of) {
+  const RelivedReading& relived = report.runs[run].relived;
+  const ReportMeasure& measure = report.measures[cell.measure];
+  const std::vector<std::string>& known = RelivedMeasures();
+  const auto found = std::find(known.begin(), known.end(), measure.id);
+  if (found == known.end() || relived.state != RelivedState::kHere ||
+      cell.own_season >= relived.generation.seasons)
+    return std::numeric_limits<double>::quiet_NaN();
+  const RelivedMeasure& one = relived.generation.of(
+      static_cast<std::size_t>(found - known.begin()), cell.own_season);
+  return measure.scale *
+         (of == Counted::kBest ? one.best.quartiles.median : one.mean);
+}
+
 /// Of the generations of an experiment: what `values_at` finds, summarised.
 template <typename ValuesAt>
 void Summarise(const ValuesAt& values_at, std::vector<int>& counts,
@@ -87,6 +112,35 @@ Curve CurveOf(const StudyReport& report, const Cell& cell, Counted of) {
   return curve;
 }
 
+/// Of the experiments with so many seasons.
+std::vector<CensusCurves> CensusCurvesOf(const StudyReport& report,
+                                         const std::vector<CensusPart>& parts,
+                                         std::size_t least_seasons) {
+  std::vector<CensusCurves> all;
+  for (std::size_t i = 0; i < report.experiments.size(); ++i) {
+    const ReportExperiment& one = report.experiments[i];
+    if (one.seasons.size() < least_seasons) continue;
+    CensusCurves curves{i, {}, {}};
+    for (const CensusPart& part : parts) {
+      curves.counts.clear();
+      Summarise(
+          [&](std::size_t generation) {
+            std::vector<double> values;
+            for (const std::size_t run : one.runs) {
+              const auto& of = report.runs[run].reading.population.censuses;
+              if (generation < of.size())
+                values.push_back(
+                    part.of(of[generation], one.experiment.population));
+            }
+            return values;
+          },
+          curves.counts, curves.parts.emplace_back());
+    }
+    if (!curves.counts.empty()) all.push_back(std::move(curves));
+  }
+  return all;
+}
+
 }  // namespace
 
 std::vector<Curve> CurvesOf(const StudyReport& report, Counted of) {
@@ -101,18 +155,16 @@ std::vector<Curve> CurvesOf(const StudyReport& report, Counted of) {
   return curves;
 }
 
-std::vector<Finals> FinalsOf(const StudyReport& report, Counted of) {
+std::vector<Finals> FinalsOf(const StudyReport& report, Counted of, Told told) {
   std::vector<Finals> all;
   if (report.generation < 0) return all;
-  const auto generation = static_cast<std::size_t>(report.generation);
   for (const Cell& cell : CellsOf(report)) {
-    Finals finals{cell.measure, cell.season, cell.experiment, {}, {}, of};
+    Finals finals{cell.measure, cell.season, cell.experiment, {}, {}, of, told};
     std::vector<double> values;
     for (const std::size_t run : report.experiments[cell.experiment].runs) {
-      const Series* series = SeriesOf(report, run, cell);
-      if (series == nullptr || generation >= ValuesOf(*series, of).size())
-        continue;
-      const double value = ValuesOf(*series, of)[generation];
+      const double value = told == Told::kRelived
+                               ? RelivedOfRun(report, run, cell, of)
+                               : RecordedOfRun(report, run, cell, of);
       if (std::isnan(value)) continue;
       finals.values.push_back({run, value});
       values.push_back(value);
@@ -144,32 +196,76 @@ std::vector<Test> TestsOf(const StudyReport& report,
       if (!takes_part(a) || !takes_part(b)) continue;
       tests.push_back({a.measure, a.season, a.experiment, b.experiment,
                        a.values.size(), b.values.size(),
-                       RankSumTest(values_of(a), values_of(b))});
+                       RankSumTest(values_of(a), values_of(b)), a.told});
     }
   return tests;
 }
 
-std::vector<PlasticCurve> PlasticCurvesOf(const StudyReport& report) {
-  std::vector<PlasticCurve> curves;
-  for (std::size_t i = 0; i < report.experiments.size(); ++i) {
-    PlasticCurve curve{i, {}, {}, {}};
-    const auto shares = [&](double PlasticShares::*part) {
-      return [&, part](std::size_t generation) {
-        std::vector<double> values;
-        for (const std::size_t run : report.experiments[i].runs) {
-          const auto& plastic = report.runs[run].reading.population.plastic;
-          if (generation < plastic.size())
-            values.push_back(plastic[generation].*part);
-        }
-        return values;
-      };
-    };
-    Summarise(shares(&PlasticShares::body), curve.counts, curve.body);
-    curve.counts.clear();
-    Summarise(shares(&PlasticShares::brain), curve.counts, curve.brain);
-    if (!curve.counts.empty()) curves.push_back(std::move(curve));
-  }
-  return curves;
+const std::vector<CensusPart>& DiversityParts() {
+  using Counts = const CensusCounts&;
+  static const std::vector<CensusPart> parts = {
+      {"genotypes",
+       [](Counts of, double) { return static_cast<double>(of.genotypes); }},
+      {"phenotypes",
+       [](Counts of, double) { return static_cast<double>(of.phenotypes); }},
+      {"founders",
+       [](Counts of, double) { return static_cast<double>(of.founders); }},
+  };
+  return parts;
+}
+
+const std::vector<CensusPart>& PlasticityParts() {
+  using Counts = const CensusCounts&;
+  static const std::vector<CensusPart> parts = {
+      {"body",
+       [](Counts of, double population) {
+         return static_cast<double>(of.plastic_bodies) / population;
+       }},
+      {"brain_only",
+       [](Counts of, double population) {
+         return static_cast<double>(of.plastic_brains) / population;
+       }},
+      {"regulated",
+       [](Counts of, double) {
+         return static_cast<double>(of.regulated_rules) /
+                static_cast<double>(of.rules);
+       }},
+      {"silent",
+       [](Counts of, double) {
+         return static_cast<double>(of.silent_rules) /
+                static_cast<double>(of.rules);
+       }},
+  };
+  return parts;
+}
+
+std::vector<CensusCurves> DiversityOf(const StudyReport& report) {
+  return CensusCurvesOf(report, DiversityParts(), 1);
+}
+
+std::vector<CensusCurves> PlasticityOf(const StudyReport& report) {
+  return CensusCurvesOf(report, PlasticityParts(), 2);
+}
+
+std::vector<ServoObedience> ObedienceOf(const StudyReport& report) {
+  std::vector<ServoObedience> all;
+  for (std::size_t i = 0; i < report.experiments.size(); ++i)
+    for (std::size_t season = 0; season < report.experiments[i].seasons.size();
+         ++season) {
+      std::vector<double> medians;
+      double worst = std::numeric_limits<double>::quiet_NaN();
+      for (const std::size_t run : report.experiments[i].runs) {
+        const auto& errors = report.runs[run].reading.population.errors;
+        if (season >= errors.size() || std::isnan(errors[season].median))
+          continue;
+        medians.push_back(errors[season].median);
+        worst = std::fmax(worst, errors[season].worst);
+      }
+      const int runs = static_cast<int>(medians.size());
+      all.push_back(
+          {i, season, runs, {QuartilesOf(std::move(medians)).median, worst}});
+    }
+  return all;
 }
 
 std::vector<RuleCount> RulesOf(const StudyReport& report,

@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "grammar/enum_names.h"
 #include "runtime/report/report.h"
 #include "runtime/report/wilcoxon.h"
 
@@ -15,6 +16,11 @@ namespace plsc {
 
 /// Whose values a curve or a box is of: a run's population, or its best robot.
 enum class Counted : std::uint8_t { kMean, kBest };
+
+/// By whom: by the run, or by the lives that its robots lived again.
+enum class Told : std::uint8_t { kRelived, kRecorded };
+inline constexpr EnumNames<Told, 2> kToldNames{
+    {{Told::kRelived, "relived"}, {Told::kRecorded, "recorded"}}};
 
 /// By generation. Of several runs: quartiles of the population means, or of the
 /// best robots, of those that have completed it. Of a single run: quartiles of
@@ -37,7 +43,8 @@ struct RunValue {
   double value = 0;
 };
 /// Population means, or values of the best robots, of the runs that have
-/// completed the generation that is compared, in the shown unit.
+/// completed the generation that is compared, in the shown unit. Of relived
+/// ones: means of the robots' medians, or the best robots' medians.
 struct Finals {
   std::size_t measure = 0;
   std::size_t season = 0;
@@ -45,10 +52,13 @@ struct Finals {
   std::vector<RunValue> values;  ///< at least one
   BoxPlot box;
   Counted of = Counted::kMean;
+  Told told = Told::kRecorded;
 };
-/// In the order of CurvesOf.
+/// In the order of CurvesOf. Relived are measures of behaviour and the fitness
+/// alone, of runs that have such lives.
 std::vector<Finals> FinalsOf(const StudyReport& report,
-                             Counted of = Counted::kMean);
+                             Counted of = Counted::kMean,
+                             Told told = Told::kRecorded);
 
 /// Between two experiments that are not static, two runs or more of each.
 struct Test {
@@ -59,19 +69,40 @@ struct Test {
   std::size_t first_runs = 0;
   std::size_t second_runs = 0;
   std::optional<RankSum> result;  ///< nothing if all values are equal
+  Told told = Told::kRecorded;
 };
 std::vector<Test> TestsOf(const StudyReport& report,
                           const std::vector<Finals>& finals);
 
-/// How plastic an experiment's populations are, by generation: quartiles over
-/// runs of the shares of robots.
-struct PlasticCurve {
-  std::size_t experiment = 0;
-  std::vector<int> counts;
-  std::vector<Quartiles> body;
-  std::vector<Quartiles> brain;
+/// A number of a census that is shown over generations.
+struct CensusPart {
+  const char* id;
+  double (*of)(const CensusCounts& counts, double population);
 };
-std::vector<PlasticCurve> PlasticCurvesOf(const StudyReport& report);
+/// How many are different: genotypes, phenotypes, founders.
+const std::vector<CensusPart>& DiversityParts();
+/// Shares from 0 to 1: of robots body, brain_only; of rules regulated, silent.
+const std::vector<CensusPart>& PlasticityParts();
+
+/// Of an experiment's populations, by generation: quartiles over runs.
+struct CensusCurves {
+  std::size_t experiment = 0;
+  std::vector<int> counts;                    ///< runs
+  std::vector<std::vector<Quartiles>> parts;  ///< in their order
+};
+/// Of all experiments; those with one season have no plasticity.
+std::vector<CensusCurves> DiversityOf(const StudyReport& report);
+std::vector<CensusCurves> PlasticityOf(const StudyReport& report);
+
+/// How well servos did what they were told in a season of an experiment: the
+/// median over its runs, and the worst of all.
+struct ServoObedience {
+  std::size_t experiment = 0;
+  std::size_t season = 0;  ///< of the experiment's own
+  int runs = 0;            ///< that have measured it
+  SeasonErrors errors;
+};
+std::vector<ServoObedience> ObedienceOf(const StudyReport& report);
 
 /// The rules of the last populations of an experiment's runs.
 std::vector<RuleCount> RulesOf(const StudyReport& report,

@@ -7,6 +7,7 @@
 #include <system_error>
 #include <utility>
 
+#include "runtime/relive/relived_file.h"
 #include "runtime/study/study_folder.h"
 
 namespace plsc {
@@ -55,7 +56,8 @@ Inputs RunsInFolder(const std::string& folder) {
   std::vector<std::string> paths;
   for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
        entry.increment(error))
-    if (entry->path().extension() == ".sqlite")
+    if (entry->path().extension() == ".sqlite" &&
+        !IsRelivedFile(entry->path().string()))
       paths.push_back(entry->path().string());
   if (error)
     return Failure(
@@ -124,6 +126,8 @@ Inputs FindRuns(const std::vector<std::string>& paths) {
   ReportInputs all;
   std::vector<std::string> seen;
   for (const std::string& path : paths) {
+    // Beside runs as a shell names them: *.sqlite.
+    if (IsRelivedFile(path) && paths.size() > 1) continue;
     Inputs found = RunsAt(path);
     if (!found) return found;
     all.title += (all.title.empty() ? "" : ", ") + found->title;
@@ -135,6 +139,8 @@ Inputs FindRuns(const std::vector<std::string>& paths) {
       all.runs.push_back(std::move(run));
     }
   }
+  if (all.runs.empty())
+    return Failure("all of these are of relived lives; name their runs");
   return all;
 }
 

@@ -28,7 +28,8 @@ struct ReportInputs {
 };
 
 /// Paths are folders of studies, folders of one of their experiments, folders
-/// of runs (*.sqlite), and runs. A run that several of them name is there once.
+/// of runs (*.sqlite), and runs. A run that several of them name is there once,
+/// and files of relived lives are left out.
 Expected<ReportInputs, Failure> FindRuns(const std::vector<std::string>& paths);
 
 }  // namespace plsc

@@ -83,8 +83,6 @@ Rows ReadRows(Database& database, const std::string& table,
 
 /// A body with a brain.
 struct Robot {
-  Key body;
-  Key brain;  ///< of its text
   std::size_t body_values = kNowhere;
   std::size_t brain_values = kNowhere;
 };
@@ -111,17 +109,18 @@ class Reading {
     NumberColumns();
   }
 
-  PopulationSummary Summarise(bool with_spread) const {
+  /// Series of the first `shown` measures; those of the servos are behind.
+  PopulationSummary Summarise(std::size_t shown, bool with_spread) const {
     PopulationSummary summary;
     summary.seasons = seasons_;
     summary.generations = static_cast<int>(members_.size());
     summary.survivors = survivors_;
-    for (std::size_t measure = 0; measure < measures_.size(); ++measure)
+    for (std::size_t measure = 0; measure < shown; ++measure)
       for (std::size_t season = 0; season < seasons_.size(); ++season)
         summary.series.push_back(SeriesOf(measure, season, with_spread));
-    if (seasons_.size() > 1)
-      for (const std::vector<std::size_t>& members : members_)
-        summary.plastic.push_back(SharesOf(members));
+    for (std::size_t season = 0; !members_.empty() && season < seasons_.size();
+         ++season)
+      summary.errors.push_back(ErrorsOf(shown, shown + 1, season));
     return summary;
   }
 
@@ -174,17 +173,15 @@ class Reading {
 
   void ReadRobots(Database& database) {
     Statement row(database,
-                  fmt::format("SELECT key, body, packed{} FROM phenotype",
+                  fmt::format("SELECT key, body{} FROM phenotype",
                               ColumnsOf(measures_, MeasureSource::kBrain)));
     row.With();
     while (row.Next()) {
       Robot robot;
       const Key key = TakeKey(row);
-      robot.body = TakeKey(row);
-      robot.brain = KeyOf(row.TakeText());
-      robot.body_values = Find(bodies_.places, robot.body);
+      robot.body_values = Find(bodies_.places, TakeKey(row));
       robot.brain_values = brains_.values.size();
-      TakeValues(row, row.columns() - 3, brains_);
+      TakeValues(row, row.columns() - 2, brains_);
       places_.emplace(key, robots_.size());
       robots_.push_back(robot);
     }
@@ -261,27 +258,18 @@ class Reading {
     return series;
   }
 
-  PlasticShares SharesOf(const std::vector<std::size_t>& members) const {
-    double bodies = 0;
-    double brains = 0;
-    for (const std::size_t life : members) {
-      if (Differs(life, &Robot::body)) ++bodies;
-      if (Differs(life, &Robot::brain)) ++brains;
+  /// Of the last generation; `median` and `worst` are places of measures.
+  SeasonErrors ErrorsOf(std::size_t median, std::size_t worst,
+                        std::size_t season) const {
+    std::vector<double> medians;
+    double most = kNone;
+    for (const std::size_t life : members_.back()) {
+      const Lived& lived = lived_[life * seasons_.size() + season];
+      const double value = ValueOf(median, lived);
+      if (!std::isnan(value)) medians.push_back(value);
+      most = std::fmax(most, ValueOf(worst, lived));
     }
-    const auto count = static_cast<double>(members.size());
-    return members.empty() ? PlasticShares{kNone, kNone}
-                           : PlasticShares{bodies / count, brains / count};
-  }
-
-  // No robot at all is another one than any.
-  bool Differs(std::size_t life, Key Robot::*part) const {
-    const auto key = [&](std::size_t season) {
-      const std::size_t robot = lived_[life * seasons_.size() + season].robot;
-      return robot == kNowhere ? Key{} : robots_[robot].*part;
-    };
-    for (std::size_t season = 1; season < seasons_.size(); ++season)
-      if (key(season) != key(0)) return true;
-    return false;
+    return {QuartilesOf(std::move(medians)).median, most};
   }
 
   const Measures& measures_;
@@ -304,7 +292,10 @@ class Reading {
 PopulationSummary SummarisePopulation(Database& database,
                                       const Measures& measures,
                                       bool with_spread) {
-  return Reading(database, measures).Summarise(with_spread);
+  Measures all = measures;
+  for (const char* column : {"servo_error_median", "servo_error_worst"})
+    all.push_back({column, "", "", 1, MeasureSource::kBehaviour});
+  return Reading(database, all).Summarise(measures.size(), with_spread);
 }
 
 }  // namespace plsc

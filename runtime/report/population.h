@@ -1,14 +1,14 @@
 #pragma once
 
 // What became of a run's population, generation by generation: means of
-// measures over its robots, those of the best one, and how many are plastic.
-// Robots are read once each, however many generations they live, and none is
-// kept.
+// measures over its robots, those of the best one, and censuses. Robots are
+// read once each, however many generations they live, and none is kept.
 
 #include <string>
 #include <vector>
 
 #include "runtime/report/quantiles.h"
+#include "runtime/store/census.h"
 #include "runtime/store/database.h"
 #include "runtime/study/report_measures.h"
 
@@ -23,17 +23,20 @@ struct Series {
   std::vector<double> best;        ///< of each generation's best robot
 };
 
-/// Of the robots of one generation, from 0 to 1.
-struct PlasticShares {
-  double body = 0;   ///< have different bodies in two seasons
-  double brain = 0;  ///< have different brains in two seasons
+/// How far joints were from what their servos were told in a season, of the
+/// survivors of the last generation: whether the solver converged. rad/s, no
+/// number where a store has none.
+struct SeasonErrors {
+  double median = 0;  ///< of the robots' medians
+  double worst = 0;   ///< of any robot
 };
 
 struct PopulationSummary {
   std::vector<std::string> seasons;    ///< names, in the scenario's order
   int generations = 0;                 ///< completed
   std::vector<Series> series;          ///< a measure's seasons side by side
-  std::vector<PlasticShares> plastic;  ///< by generation; empty for one season
+  std::vector<SeasonErrors> errors;    ///< by season; empty before generation 0
+  std::vector<CensusCounts> censuses;  ///< by generation
   std::vector<int> survivors;          ///< of the last one: ids, by rank
 
   const Series& of(std::size_t measure, std::size_t season) const {
@@ -42,7 +45,8 @@ struct PopulationSummary {
 };
 
 /// What cannot be read is a failure of the database; the summary is worth
-/// nothing then. `with_spread`: quartiles over robots, too.
+/// nothing then. `with_spread`: quartiles over robots, too. Without censuses,
+/// which need to know the experiment (CensusOf).
 PopulationSummary SummarisePopulation(
     Database& database, const std::vector<ReportMeasure>& measures,
     bool with_spread);

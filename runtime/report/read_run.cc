@@ -36,6 +36,7 @@ MaybeFailure ReadTables(const std::string& path, const ReadOptions& options,
   reading.facts = ReadFacts(database);
   reading.population =
       SummarisePopulation(database, options.measures, options.with_spread);
+  reading.population.censuses = CensusOf(database, reading.experiment);
   return instant.Commit();
 }
 

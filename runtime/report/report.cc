@@ -134,13 +134,20 @@ StudyReport BuildReport(const ReportInputs& inputs,
   const ReadOptions options{measures, report.is_single, verify};
   for (const ReportInput& input : inputs.runs) {
     report.runs.push_back(
-        {input, ReadRun(input.path, options, input.expected), {}});
+        {input, ReadRun(input.path, options, input.expected), {}, {}});
     if (on_run) on_run(report.runs.size(), inputs.runs.size());
   }
   report.experiments = GroupRuns(report.runs);
   PlaceSeasons(report);
   report.generation = ComparedGeneration(report);
   return report;
+}
+
+void AddRelived(StudyReport& report) {
+  for (ReportRun& run : report.runs)
+    if (report.generation >= 0 &&
+        report.generation < run.reading.population.generations)
+      run.relived = ReadRelived(run.input.path, report.generation);
 }
 
 }  // namespace plsc

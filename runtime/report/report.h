@@ -11,6 +11,7 @@
 
 #include "runtime/report/engine_check.h"
 #include "runtime/report/inputs.h"
+#include "runtime/report/read_relived.h"
 #include "runtime/report/read_run.h"
 
 namespace plsc {
@@ -20,6 +21,8 @@ struct ReportRun {
   RunReading reading;
   /// Of its best robots, where it was asked for.
   std::optional<EngineCheck> check;
+  /// Of the generation that is compared (AddRelived).
+  RelivedReading relived;
 };
 
 struct ReportExperiment {
@@ -45,6 +48,8 @@ struct StudyReport {
   int generation = -1;
   bool is_single = false;    ///< one run: curves are of its population
   bool is_verified = false;  ///< every row was compared with its checksum
+  /// That makes relived lives of all runs; empty: not known.
+  std::string relive_command;
 };
 
 /// Told after each run, with how many of how many are read.
@@ -55,5 +60,9 @@ using ReportProgress = std::function<void(std::size_t done, std::size_t total)>;
 StudyReport BuildReport(const ReportInputs& inputs,
                         const std::vector<ReportMeasure>& measures,
                         const ReportProgress& on_run, bool verify = false);
+
+/// Reads what was lived again of the generation that is compared, of each run
+/// that has completed it.
+void AddRelived(StudyReport& report);
 
 }  // namespace plsc

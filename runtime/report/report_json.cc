@@ -1,17 +1,18 @@
 #include "runtime/report/report_json.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdlib>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "grammar/number.h"
 #include "runtime/develop/environment_json.h"
 #include "runtime/report/comparison.h"
 #include "runtime/report/experiment_difference.h"
+#include "runtime/report/report_relived_json.h"
+#include "runtime/report/rounded_json.h"
 #include "runtime/scenario/scenario_terrain.h"
+#include "runtime/store/schema.h"
 #include "runtime/text/json_dump.h"
 #include "runtime/text/quantity.h"
 
@@ -21,14 +22,12 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int kFormat = 2;
+constexpr int kFormat = 3;
 // Clauses of states with numbers are all different; what is rare tells little.
 constexpr std::size_t kMostClauses = 40;
 
-/// With six digits; null for what is no number.
 Json Number(double value) {
-  if (!std::isfinite(value)) return nullptr;
-  return *ParseNumber<double>(PrintRoundedNumber(value, 6));
+  return RoundedNumber(value);
 }
 
 Json Number(const std::optional<double>& value) {
@@ -122,6 +121,7 @@ Json FinalsJson(const Finals& finals, const Names& names) {
   Json json = names.Item(finals);
   json["experiment"] = names.Experiment(finals.experiment);
   json["of"] = NameOf(finals.of);
+  json["told"] = NameIn(kToldNames, finals.told);
   json["low_whisker"] = Number(box.low_whisker);
   json["low"] = Number(box.quartiles.low);
   json["median"] = Number(box.quartiles.median);
@@ -140,6 +140,7 @@ Json FinalsJson(const Finals& finals, const Names& names) {
 
 Json TestJson(const Test& test, const Names& names) {
   Json json = names.Item(test);
+  json["told"] = NameIn(kToldNames, test.told);
   json["first"] = names.Experiment(test.first);
   json["second"] = names.Experiment(test.second);
   json["first_runs"] = test.first_runs;
@@ -151,12 +152,31 @@ Json TestJson(const Test& test, const Names& names) {
   return json;
 }
 
-Json PlasticJson(const PlasticCurve& curve, const Names& names) {
-  Json json{{"experiment", names.Experiment(curve.experiment)},
-            {"runs", curve.counts}};
-  AddQuartiles(curve.body, json["body"]);
-  AddQuartiles(curve.brain, json["brain"]);
+Json CensusCurvesJson(const CensusCurves& curves,
+                      const std::vector<CensusPart>& parts,
+                      const Names& names) {
+  Json json{{"experiment", names.Experiment(curves.experiment)},
+            {"runs", curves.counts}};
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    AddQuartiles(curves.parts[i], json[parts[i].id]);
   return json;
+}
+
+Json ObedienceJson(const ServoObedience& one, const StudyReport& report) {
+  const ReportExperiment& experiment = report.experiments[one.experiment];
+  const Season& season = experiment.experiment.scenario.seasons[one.season];
+  const bool is_ode = season.physics.engine == EngineKind::kOde;
+  const bool is_iterative =
+      is_ode && season.physics.solver == Solver::kIterative;
+  return {{"experiment", experiment.name},
+          {"season", season.name},
+          {"engine", is_ode ? "ode" : "articulated"},
+          {"solver", is_iterative ? "iterative" : "direct"},
+          {"iterations", is_iterative ? Json(season.physics.solver_iterations)
+                                      : Json(nullptr)},
+          {"runs", one.runs},
+          {"median", Number(one.errors.median)},
+          {"worst", Number(one.errors.worst)}};
 }
 
 Json ValueJson(const std::optional<std::string>& value) {
@@ -283,8 +303,11 @@ Json RunJson(const ReportRun& run, const Json& experiment) {
   json["compiler"] = facts.versions.compiler;
   json["machine"] = facts.versions.machine;
   json["results"] = facts.versions.results;
+  json["schema"] = facts.schema;
+  json["lacks"] = MissingMeasures(facts.schema);
   json["work"] = WorkJson(facts.work);
   json["best"] = reading.best ? PortraitJson(*reading.best) : Json(nullptr);
+  json["relived"] = RelivedOfRunJson(run);
   if (run.check) json["engine_check"] = EngineCheckJson(*run.check);
   return json;
 }
@@ -340,13 +363,19 @@ std::string ReportJson(const StudyReport& report, const ReportMade& made) {
   const auto named = [&](auto write) {
     return [&names, write](const auto& one) { return write(one, names); };
   };
-  const std::vector<Finals> finals = FinalsOf(report);
   auto curves = CurvesOf(report);
-  auto boxes = finals;
   for (Curve& curve : CurvesOf(report, Counted::kBest))
     curves.push_back(std::move(curve));
-  for (Finals& box : FinalsOf(report, Counted::kBest))
-    boxes.push_back(std::move(box));
+  std::vector<Finals> boxes;
+  std::vector<Test> tests;
+  for (const Counted of : {Counted::kMean, Counted::kBest})
+    for (const Told told : {Told::kRelived, Told::kRecorded}) {
+      std::vector<Finals> finals = FinalsOf(report, of, told);
+      // Tested are means alone.
+      if (of == Counted::kMean)
+        for (const Test& test : TestsOf(report, finals)) tests.push_back(test);
+      for (Finals& one : finals) boxes.push_back(std::move(one));
+    }
   Json json;
   json["plsc_report"] = kFormat;
   json["title"] = report.title;
@@ -363,10 +392,22 @@ std::string ReportJson(const StudyReport& report, const ReportMade& made) {
   json["differences"] = DifferencesJson(report);
   json["curves"] = ListJson(curves, named(CurveJson));
   json["finals"] = ListJson(boxes, named(FinalsJson));
-  json["tests"] = ListJson(TestsOf(report, finals), named(TestJson));
-  json["plasticity"] = ListJson(PlasticCurvesOf(report), named(PlasticJson));
+  json["tests"] = ListJson(tests, named(TestJson));
+  json["relived"] = RelivedSummaryJson(report);
+  json["swaps"] = SwapsJson(report);
+  json["diversity"] =
+      ListJson(DiversityOf(report), [&](const CensusCurves& one) {
+        return CensusCurvesJson(one, DiversityParts(), names);
+      });
+  json["plasticity"] =
+      ListJson(PlasticityOf(report), [&](const CensusCurves& one) {
+        return CensusCurvesJson(one, PlasticityParts(), names);
+      });
   json["regulation"] = RegulationJson(report);
   json["runs"] = RunsJson(report);
+  json["servo_errors"] = ListJson(
+      ObedienceOf(report),
+      [&](const ServoObedience& one) { return ObedienceJson(one, report); });
   json["constants"] = ConstantsJson(report);
   return DumpJson(json);
 }

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "runtime/store/schema.h"
+
 namespace plsc {
 
 namespace {
@@ -58,6 +60,7 @@ std::vector<StoredConstant> ReadConstants(Database& database) {
 
 RunFacts ReadFacts(Database& database) {
   RunFacts facts;
+  facts.schema = SchemaOf(database);
   {
     Statement row(database,
                   "SELECT name, seed, plsc, ode, compiler, machine, results, "

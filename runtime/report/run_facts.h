@@ -42,6 +42,7 @@ struct RunFacts {
   std::string name;
   std::string seed;
   Versions versions;
+  int schema = 0;  ///< of the store; older ones lack MissingMeasures
   int planned_generations = 0;
   std::int64_t planned_evaluations = 0;
   std::int64_t evaluations = 0;

@@ -42,7 +42,10 @@ std::array<std::int64_t, 8> List(const CensusCounts& counts);
 /// the births and evaluations of who is counted.
 class Census {
  public:
-  Census(Database& database, const Experiment& experiment);
+  /// Forgets clauses when it knows those of more rules than `most_rules`, twice
+  /// what a population of the paper has: most rules of a long run are gone.
+  Census(Database& database, const Experiment& experiment,
+         std::size_t most_rules = 2000);
 
   /// Of the next generation: its survivors, by id. Each must have survived the
   /// one before, or be a child of who did.
@@ -72,6 +75,7 @@ class Census {
   std::size_t ClauseOf(std::int64_t rule);
   bool Holds(std::size_t clause, std::size_t environment);
 
+  std::size_t most_rules_;
   std::vector<State> states_;
   std::size_t words_;  ///< of a founder set
   Statement parents_;

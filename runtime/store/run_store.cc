@@ -368,6 +368,19 @@ Expected<std::vector<std::vector<StoredTrial>>, Failure> RunStore::TrialsOf(
   return parts_->OrFailure(parts_->trials->Find(id));
 }
 
+Expected<std::int64_t, Failure> RunStore::ChecksumOfRun() {
+  assert(parts_->reader);
+  return parts_->OrFailure(
+      SingleInteger(parts_->database, "SELECT checksum FROM run"));
+}
+
+Expected<std::int64_t, Failure> RunStore::ChecksumOfBirth(int id) {
+  assert(parts_->reader);
+  Statement row(parts_->database,
+                "SELECT checksum FROM individual WHERE id = ?");
+  return parts_->OrFailure(row.With(id).Next() ? row.TakeInteger() : 0);
+}
+
 Expected<int, Failure> RunStore::Born() {
   assert(parts_->reader);
   Statement last(parts_->database, "SELECT max(id) FROM individual");

@@ -100,6 +100,11 @@ class RunStore : public RunObserver, public SimulationCache {
   Expected<Individual, Failure> FindFirstLife(int id);
   /// By season and trial; empty in runs without trials and noise.
   Expected<std::vector<std::vector<StoredTrial>>, Failure> TrialsOf(int id);
+  /// Which run it is: under its experiment, constants and versions, of which
+  /// all else is a function.
+  Expected<std::int64_t, Failure> ChecksumOfRun();
+  /// Of an individual's birth, with its genotype.
+  Expected<std::int64_t, Failure> ChecksumOfBirth(int id);
   /// Individuals, from id 1 to this.
   Expected<int, Failure> Born();
   Expected<GenerationRecord, Failure> Generation(int number);

@@ -15,6 +15,9 @@ class Database;
 
 /// "plsc" in a file's header: PRAGMA application_id.
 inline constexpr int kApplicationId = 0x706c7363;
+/// "plsR": a file beside a run, of lives that its robots lived again
+/// (runtime/relive).
+inline constexpr int kRelivedApplicationId = 0x706c7352;
 /// PRAGMA user_version. To be raised by 1 at every change of the schema.
 inline constexpr int kSchemaVersion = 3;
 /// Of the oldest that are read. Stores of schema 1 have no column run.results,

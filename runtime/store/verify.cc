@@ -204,6 +204,11 @@ MaybeFailure CheckIdentity(Database& database) {
       SingleInteger(database, "PRAGMA application_id");
   const int version = SchemaOf(database);
   if (database.has_failed()) return database.TakeFailure();
+  if (application == kRelivedApplicationId)
+    return fmt::format(
+        "'{}' is of lives that robots of a run lived again (plsc relive), and "
+        "no run itself: name the run",
+        database.path());
   if (application != kApplicationId)
     return fmt::format("'{}' is no run of plsc, but another program's file",
                        database.path());

@@ -23,6 +23,7 @@ enum class Purpose : std::uint64_t {
   kSelectSurvivors = 4,
   /// Of a life: the two numbers between are of a name (evolve/trials).
   kDisturb = 5,
+  kRelive = 6,
 };
 
 struct StreamKey {

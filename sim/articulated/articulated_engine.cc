@@ -206,8 +206,9 @@ double ArticulatedEngine::JointAngle(int joint) const {
   return state_.links[At(joint + 1)].angle;
 }
 
-double ArticulatedEngine::JointSpeed(int joint) const {
-  return state_.links[At(joint + 1)].speed;
+void ArticulatedEngine::TellJointSpeeds(std::vector<double>& speeds) const {
+  for (std::size_t i = 0; i < speeds.size(); ++i)
+    speeds[i] = state_.links[i + 1].speed;
 }
 
 LinkPose ArticulatedEngine::PoseOf(int link) const {

@@ -264,8 +264,9 @@ double OdeEngine::JointAngle(int joint) const {
   return dJointGetHingeAngle(hinges[static_cast<std::size_t>(joint)]);
 }
 
-double OdeEngine::JointSpeed(int joint) const {
-  return dJointGetHingeAngleRate(hinges[static_cast<std::size_t>(joint)]);
+void OdeEngine::TellJointSpeeds(std::vector<double>& speeds) const {
+  for (std::size_t i = 0; i < hinges.size(); ++i)
+    speeds[i] = dJointGetHingeAngleRate(hinges[i]);
 }
 
 LinkPose OdeEngine::PoseOf(int link) const {

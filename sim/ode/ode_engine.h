@@ -69,7 +69,7 @@ struct OdeEngine final : Engine {
                 const LinkMotion& motion) override;
   bool Step() override;
   double JointAngle(int joint) const override;
-  double JointSpeed(int joint) const override;
+  void TellJointSpeeds(std::vector<double>& speeds) const override;
   LinkPose PoseOf(int link) const override;
   LinkMotion MotionOf(int link) const override;
   std::uint64_t Hash() const override;

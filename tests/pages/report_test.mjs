@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { copyFileSync, cpSync, mkdirSync, readFileSync, rmSync, statSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { before, test } from "node:test";
-import { assertFitsWidth, desktop, downloaded, handedOut, keepFiles, phone, plsc, scratch, screenshot, withPage } from "./browser.mjs";
+import { assertFitsWidth, desktop, downloaded, handedOut, keepFiles, phone, plsc, scratch, screenshot, source, withPage } from "./browser.mjs";
 
 const hostile = `</script><img src=x onerror="alert('study')"><!-- ` + "`${alert(1)}`";
 const study = `plsc_study: 1
@@ -32,6 +32,19 @@ const still = join(scratch, "still.html");
 const waiting = join(scratch, "waiting.html");
 const partly = join(scratch, "partly.html");
 const checked = join(scratch, "checked.html");
+const relived = join(scratch, "relived.html");
+const iterative = join(scratch, "iterative.html");
+const older = join(scratch, "older.html");
+const solvers = `name: solvers
+population: 4
+offspring: 2
+generations: 2
+scenario:
+  seasons:
+    - {name: direct, terrain: flat, duration: 1 s}
+    - {name: few, terrain: flat, duration: 1 s, physics: {solver: iterative, solver_iterations: 5}}
+    - {name: own, terrain: flat, duration: 1 s, physics: {engine: articulated}}
+`;
 
 before(() => {
   writeFileSync(join(scratch, "study.yaml"), study);
@@ -42,11 +55,25 @@ before(() => {
 
   plsc("report", folder, "-o", checked, "--measures", "size", "--check-engine", "2");
 
+  writeFileSync(join(scratch, "solvers.yaml"), solvers);
+  plsc("evolve", "solvers.yaml", "-o", "solvers.sqlite", "--quiet");
+  plsc("report", "solvers.sqlite", "-o", iterative, "--measures", "servo_error_median,core_turns");
+
+  copyFileSync(join(source, "tests/data/run_schema_2.sqlite"), join(scratch, "older.sqlite"));
+  plsc("report", "older.sqlite", "-o", older, "--measures", "size,core_turns");
+
   // Most runs missing.
   const begun = join(scratch, "begun");
   cpSync(folder, begun, { recursive: true });
   for (const run of ["plastic/2", "plastic/3", "baseline/1", "baseline/2", "baseline/3", "static/2"]) rmSync(join(begun, `${run}.sqlite`));
   plsc("report", begun, "-o", waiting, "--measures", "size");
+
+  // Robots of a copy have lived again, but for one run.
+  const again = join(scratch, "again");
+  cpSync(folder, again, { recursive: true });
+  plsc("relive", again, "--lives", "2", "--swap", "1", "--quiet");
+  rmSync(join(again, "baseline/3.relived.sqlite"));
+  plsc("report", again, "-o", relived, "--measures", "speed,size");
 
   // One run missing, one damaged, one whose name is a script.
   const runs = join(scratch, "runs");
@@ -56,6 +83,9 @@ before(() => {
   writeFileSync(join(runs, "broken.sqlite"), readFileSync(join(folder, "plastic/2.sqlite")).subarray(0, 9000));
   assert.throws(() => plsc("report", runs, "-o", partly), /broken\.sqlite/); // told, and the others shown
 });
+
+const diversity = ["Different genotypes", "Different robots", "Robots of generation 0 with descendants"];
+const plasticity = ["Robots whose body differs between seasons", "Robots whose brain alone differs between seasons", "Rules that have a clause", "Rules that are active in no season"];
 
 // Marks of each chart, by its title.
 const chartsOf = (page) =>
@@ -84,17 +114,17 @@ for (const [name, size] of [
       await assertFitsWidth(page);
       const charts = await chartsOf(page);
       const kinds = (kind) => charts.filter((chart) => chart.kind === kind);
-      // Six measures in two seasons, of means and of the best robots; shares of
-      // bodies and of brains.
-      assert.equal(kinds("curves").length, 2 * 6 * 2 + 2);
+      // Six measures in two seasons, of means and of the best robots; three of
+      // diversity and four of plasticity.
+      assert.equal(kinds("curves").length, 2 * 6 * 2 + 3 + 4);
       assert.equal(kinds("boxes").length, 2 * 6 * 2);
       assert.equal(kinds("bars").length, 2);
       for (const chart of charts) assert.ok(chart.isFinite, `${chart.title} has what is no number`);
       for (const { title, lines, bands, legend } of kinds("curves")) {
-        const isFlat = title.includes("flat");
+        const hasStatic = title.includes("flat") || diversity.includes(title);
         assert.equal(bands, 2, title);
-        assert.equal(lines, isFlat ? 3 : 2, title); // the static one has no band
-        assert.deepEqual(legend, isFlat ? ["plastic", "baseline", "static"] : ["plastic", "baseline"]);
+        assert.equal(lines, hasStatic ? 3 : 2, title); // the static one has no band
+        assert.deepEqual(legend, hasStatic ? ["plastic", "baseline", "static"] : ["plastic", "baseline"]);
       }
       for (const { title, boxes, dots, means, references, lines } of kinds("boxes")) {
         assert.equal(boxes, 2, title);
@@ -147,7 +177,7 @@ test("each button gives its file", () =>
   withPage(file, desktop, async (page) => {
     const buttons = page.locator("figure.chart button");
     const count = await buttons.count();
-    assert.equal(count, 2 * (2 * 6 * 2 + 2 + 2 * 6 * 2 + 2));
+    assert.equal(count, 2 * (2 * 6 * 2 + 3 + 4 + 2 * 6 * 2 + 2));
     const names = new Set();
     for (let i = 0; i < count; ++i) {
       const button = buttons.nth(i);
@@ -201,6 +231,57 @@ test("it says in what the experiments differ", () =>
     assert.equal(rows[0][0], "encoding"); // what differs between them comes first
   }));
 
+test("diversity and plasticity are those of the JSON", () =>
+  withPage(file, desktop, async (page) => {
+    const data = JSON.parse(plsc("report", folder, "--format", "json"));
+    const medians = async (title, name) => {
+      const { text } = await downloaded(page, page.getByRole("button", { name: `CSV of ${title}` }));
+      const rows = text.trim().split("\r\n").map((line) => line.split(","));
+      const column = rows[0].indexOf("median");
+      return rows.slice(1).filter((row) => row.includes(name)).map((row) => Number(row[column]));
+    };
+    for (const [titles, list, keys] of [
+      [diversity, data.diversity, ["genotypes", "phenotypes", "founders"]],
+      [plasticity, data.plasticity, ["body", "brain_only", "regulated", "silent"]],
+    ])
+      for (const [i, title] of titles.entries()) {
+        const of = list.find(({ experiment }) => experiment === "plastic");
+        assert.deepEqual(await medians(title, "plastic"), of[keys[i]].median, title);
+      }
+    assert.equal(data.diversity.length, 3);
+    assert.equal(data.plasticity.length, 2);
+  }));
+
+test("it says how well the solvers did", () =>
+  withPage(iterative, desktop, async (page) => {
+    await assertFitsWidth(page);
+    const rows = await page.$$eval('[aria-label="errors of servos"] tbody tr', (lines) => lines.map((line) => [...line.cells].map((cell) => cell.textContent)));
+    assert.deepEqual(rows.map((row) => row.slice(0, 3)), [
+      ["solvers", "direct", "ODE, direct"],
+      ["solvers", "few", "ODE, iterative, 5 iterations"],
+      ["solvers", "own", "the articulated engine"],
+    ]);
+    const [direct, few, own] = rows.map((row) => Number(row[3].replace("−", "-")));
+    assert.ok(direct < 1e-3 && own === 0 && few > 10 * direct && few > 1e-3, `${direct} ${few} ${own}`);
+    const lines = await page.$$eval("#iterative li", (items) => items.map((item) => item.textContent));
+    assert.equal(lines.length, 1);
+    assert.match(lines[0], /^solvers, few: lived by ODE's iterative solver, which leaves half of the joints' speeds \S+ rad\/s or more/);
+  }));
+
+test("what an older store lacks is told", () =>
+  withPage(older, desktop, async (page) => {
+    assert.match(await page.textContent("#without"), /No run has a value of Core turns\./);
+    assert.match(await page.textContent("#lacks"), /These runs were made by a plsc that did not measure servo_error_median, servo_error_worst, core_turns/);
+    assert.equal(await page.locator("#diversity figure").count(), 3);
+    assert.match(await page.textContent('[aria-label="errors of servos"]'), /not measured/);
+  }));
+
+test("where all solvers are direct there is no warning of them", () =>
+  withPage(file, desktop, async (page) => {
+    assert.equal(await page.locator("#iterative").count(), 0);
+    assert.equal(await page.locator('[aria-label="errors of servos"] tbody tr').count(), 5);
+  }));
+
 test("robots that lived by both engines are compared, a chart a season", () =>
   withPage(checked, desktop, async (page) => {
     await assertFitsWidth(page);
@@ -223,6 +304,46 @@ test("robots that lived by both engines are compared, a chart a season", () =>
 
 test("a report that was not asked for it has no other engine", () =>
   withPage(file, desktop, async (page) => assert.equal(await page.locator("#engines").count(), 0)));
+
+test("relived values come before recorded ones", () =>
+  withPage(relived, desktop, async (page) => {
+    await assertFitsWidth(page);
+    const charts = (await chartsOf(page)).filter(({ kind }) => kind === "boxes");
+    const titles = charts.map(({ title }) => title);
+    // Size does not differ between lives of one robot.
+    const isRelived = (title) => title.startsWith("Relived ");
+    assert.deepEqual(titles.filter(isRelived), ["", " of the best robots"].flatMap((of) => ["flat", "tilted"].map((season) => `Relived Speed${of} of generation 3, ${season}`)));
+    assert.ok(titles.findIndex(isRelived) < titles.findIndex((title) => title.startsWith("Speed")));
+    for (const { title, boxes, dots, isFinite } of charts.filter(({ title }) => isRelived(title))) {
+      assert.equal(boxes, 2, title);
+      assert.equal(dots, 5, title); // a run each, of those that have them
+      assert.ok(isFinite, title);
+    }
+    assert.match(await page.textContent("#relived"), /8 runs, 2 lives of each survivor\. Of 1 run they are missing/);
+    assert.match(await page.textContent("#tests"), /relived.*recorded/s);
+    assert.match(await page.textContent("#gallery"), /relived -?[0-9.]+ \(/);
+    await page.locator("#relived").scrollIntoViewIfNeeded();
+    await screenshot(page, "report-relived");
+  }));
+
+test("what plastic robots lose with another season's body is shown", () =>
+  withPage(relived, desktop, async (page) => {
+    const charts = (await chartsOf(page)).filter(({ title }) => title.startsWith("Speed lost"));
+    assert.ok(charts.length >= 1 && charts.length <= 2);
+    for (const { title, isFinite, dots } of charts) assert.ok(isFinite && dots >= 1 && dots <= 3, title);
+    assert.match(await page.textContent("#swaps"), /plastic/);
+    const { name, text } = await downloaded(page, page.locator('button[aria-label="CSV of the swap test"]'));
+    assert.equal(name, "swaps.csv");
+    assert.match(text, /^measure,season,experiment,run,robots,own_cm_s,swapped_cm_s,loss_cm_s\r\n/);
+    await page.locator("#swaps").scrollIntoViewIfNeeded();
+    await screenshot(page, "report-swaps");
+  }));
+
+test("a report without relived lives says how to make them", () =>
+  withPage(file, desktop, async (page) => {
+    assert.match(await page.textContent("#relived"), /have lived again: plsc relive .*study/);
+    assert.equal(await page.locator("#swaps").count(), 0);
+  }));
 
 test("what is not finished is told in groups", () =>
   withPage(waiting, desktop, async (page) => {
@@ -250,12 +371,12 @@ test("one run alone shows its population", () =>
   withPage(single, phone, async (page) => {
     await assertFitsWidth(page);
     const charts = await chartsOf(page);
-    assert.equal(charts.filter(({ kind }) => kind === "curves").length, 2 * 2 + 2);
+    assert.equal(charts.filter(({ kind }) => kind === "curves").length, 2 * 2 + 3 + 4);
     assert.equal(charts.filter(({ kind }) => kind === "boxes").length, 0);
     assert.equal(await page.locator("#tests").count(), 0);
     assert.match(await page.textContent("#measures"), /quartiles of the population's robots/);
     for (const { kind, lines, legend, title } of charts)
-      if (kind === "curves" && !title.includes("differs")) {
+      if (kind === "curves" && ![...diversity, ...plasticity].includes(title)) {
         assert.equal(lines, 2, title);
         assert.deepEqual(legend, ["plastic", "plastic, best robot"]);
       }

@@ -6,6 +6,7 @@
 #include "runtime/cli/arguments/genotypes.h"
 #include "runtime/cli/arguments/git.h"
 #include "runtime/cli/arguments/pictures.h"
+#include "runtime/cli/arguments/relive.h"
 #include "runtime/cli/arguments/report.h"
 #include "runtime/cli/arguments/robots.h"
 #include "runtime/cli/arguments/runs.h"
@@ -31,11 +32,11 @@ const Registry& Commands() {
                  FmtCommand, DevelopCommand, DiffCommand, DrawCommand,
                  LintCommand, MergeCommand, LspCommand, RegulateCommand,
                  SimulateCommand, EvaluateCommand, EvolveCommand, ShowCommand,
-                 ReplayCommand, StudyListCommand, StudyRunCommand,
-                 StudyStatusCommand, ViewCommand, ReportCommand, WhyCommand,
-                 TestCommand, RandomCommand, ImportCommand, MutateCommand,
-                 CrossCommand, TrimCommand, StatsCommand, HashCommand,
-                 CompletionCommand, ManCommand>();
+                 ReplayCommand, ReliveCommand, StudyListCommand,
+                 StudyRunCommand, StudyStatusCommand, ViewCommand,
+                 ReportCommand, WhyCommand, TestCommand, RandomCommand,
+                 ImportCommand, MutateCommand, CrossCommand, TrimCommand,
+                 StatsCommand, HashCommand, CompletionCommand, ManCommand>();
   return all;
 }
 

@@ -39,23 +39,33 @@ void Add(Options& options, ReportCommand& command) {
            "differ (seconds a robot if that is ODE)")
       .Range(1, 100000)
       .ValueName("N");
+  options
+      .Add("--relive", command.relive,
+           "first let the survivors of the generation that is compared live "
+           "again N times, as plsc relive does (default: what was lived "
+           "again before is shown)")
+      .Range(1, 100000)
+      .ValueName("N");
   options.Flag("--quiet", command.quiet,
                "no progress and no summary; only what is wrong");
   options.Footer(
       "For each measure and season: curves over generations, box plots of the "
       "last\ngeneration, two-sided Wilcoxon rank-sum tests between "
       "experiments. And the best\nrobot of each run, how plastic populations "
-      "are, and where the results come from\n(docs/reports.md). Runs may be "
-      "unfinished, or worked on meanwhile. A run that is\ndamaged is told and "
-      "left out.\n\n"
+      "are, and where the results come from\n(docs/reports.md). Where robots "
+      "have lived again (plsc relive), these lives come\nbefore the recorded "
+      "ones. Runs may be unfinished, or worked on meanwhile. A run that\nis "
+      "damaged is told and left out.\n\n"
       "  plsc report small -o report.html\n"
       "  plsc report small/plastic small/baseline -o report.html\n"
       "  plsc report run1.sqlite --measures all -o run1.html\n"
       "  plsc report paper --check-engine 10 -o paper.html\n"
+      "  plsc report paper --relive 20 -o paper.html\n"
       "  plsc report small --format json | jq '.tests[] | select(.p < 0.05)'"
       "\n\n"
       "Exit status: 0 fine, 1 a run is damaged or nothing can be read, 2 the "
-      "usage is\nwrong.");
+      "usage is\nwrong, 130 stopped by Ctrl-C or SIGTERM while robots lived "
+      "again.");
 }
 
 }  // namespace plsc::cli

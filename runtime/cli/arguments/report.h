@@ -23,6 +23,7 @@ struct ReportCommand {
   ReportFormat format = ReportFormat::kHtml;
   bool verify = false;
   std::optional<int> check_engine;  ///< best robots of a run to live anew
+  std::optional<int> relive;        ///< lives of survivors, made first
   bool quiet = false;
 };
 void Add(Options& options, ReportCommand& command);

@@ -9,7 +9,10 @@
 #include "runtime/cli/arguments/report.h"
 #include "runtime/cli/files/open_run.h"
 #include "runtime/cli/files/output_path.h"
+#include "runtime/cli/running/interrupt.h"
+#include "runtime/cli/running/lives_line.h"
 #include "runtime/cli/running/relive.h"
+#include "runtime/cli/running/relive_run.h"
 #include "runtime/cli/running/utc_now.h"
 #include "runtime/pages/page.h"
 #include "runtime/report/report_json.h"
@@ -110,6 +113,52 @@ void CheckEngines(int most, StudyReport& report, Io& io) {
   }
 }
 
+/// Survivors of the generation that is compared live again, as often as was
+/// asked for. What went wrong with a run is said; false: the user stopped it.
+bool ReliveRuns(int lives, bool is_quiet, const StudyReport& report, Io& io) {
+  const InterruptHandler handler;
+  LivesLine line(io.err, io.err_is_terminal, is_quiet);
+  ReliveRequest request;
+  request.generations.kind = GenerationChoice::Kind::kList;
+  request.generations.list = {report.generation};
+  request.lives = lives;
+  for (std::size_t i = 0; i < report.runs.size(); ++i) {
+    const ReportRun& run = report.runs[i];
+    if (run.reading.population.generations <= report.generation) continue;
+    const ReliveOutcome outcome = ReliveRun(
+        run.input.path, request, std::nullopt,
+        [&](std::int64_t done, std::int64_t total) {
+          line.Report({i, report.runs.size(), run.input.label, done, total});
+        });
+    line.Finish();
+    if (InterruptHandler::is_interrupted()) {
+      io.err << "stopped; what was lived is kept, and the same command goes "
+                "on\n";
+      return false;
+    }
+    if (outcome.failure)
+      io.err << fmt::format("warning: {}\n", Escaped(outcome.failure->text));
+  }
+  return true;
+}
+
+/// Reads what was lived again, and says what of it is of no use any more.
+void TakeRelived(const ReportCommand& command, StudyReport& report, Io& io) {
+  report.relive_command =
+      fmt::format("plsc relive {}", fmt::join(command.paths, " "));
+  AddRelived(report);
+  for (const ReportRun& run : report.runs) {
+    if (run.relived.state == RelivedState::kUnusable)
+      io.err << fmt::format("warning: {}\n", Escaped(run.relived.problem));
+    if (run.relived.state == RelivedState::kOlder)
+      io.err << fmt::format(
+          "warning: relived lives of {} are of another generation than {}; "
+          "plsc relive {} --generations {} adds them\n",
+          Escaped(run.input.label), report.generation, Escaped(run.input.path),
+          report.generation);
+  }
+}
+
 Output OutputOf(const ReportCommand& command) {
   return {command.output,
           command.format == ReportFormat::kHtml ? OutputKind::kPage
@@ -155,6 +204,10 @@ Exit Run(const ReportCommand& command, Io& io) {
     return Complain("none of these runs is begun yet", io);
   if (reported.readable == 0) return Exit::kBadInput;
   if (command.check_engine) CheckEngines(*command.check_engine, report, io);
+  if (command.relive && report.generation >= 0 &&
+      !ReliveRuns(*command.relive, command.quiet, report, io))
+    return Exit::kInterrupted;
+  TakeRelived(command, report, io);
   const Exit written = Write(command, report, io);
   return written == Exit::kFine && reported.damaged > 0 ? Exit::kBadInput
                                                         : written;

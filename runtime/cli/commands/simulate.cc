@@ -62,6 +62,23 @@ std::string EngineText(const Scenario& scenario) {
   return ode == scenario ? "" : ", both engines";
 }
 
+/// How far the solver was from converging, where it may be.
+void PrintServos(const SeasonResult& result, const Scenario& scenario,
+                 std::ostream& out) {
+  const auto season = std::find_if(
+      scenario.seasons.begin(), scenario.seasons.end(),
+      [&](const Season& one) { return one.name == result.season; });
+  if (!result.behaviour.is_valid || result.body.hinge_count == 0 ||
+      season == scenario.seasons.end() ||
+      season->physics.solver != Solver::kIterative)
+    return;
+  out << fmt::format(
+      "  iterative solver, {} iterations: half of the joints' speeds are "
+      "{:.2g} "
+      "rad/s or more from what servos are told\n",
+      season->physics.solver_iterations, result.behaviour.servo_error_median);
+}
+
 // When and why the robot is what it is.
 void PrintChange(const SeasonResult& result, const Scenario& scenario,
                  std::ostream& out) {
@@ -171,6 +188,7 @@ void PrintSeason(const SimulateCommand& command, const SeasonLife& life,
   if (command.format == OutputFormat::kText) {
     PrintRow(life.result, io.out);
     PrintChange(life.result, scenario, io.out);
+    PrintServos(life.result, scenario, io.out);
   } else {
     io.out << SeasonJson(genotype, life.result) << '\n';
   }

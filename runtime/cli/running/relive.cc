@@ -21,12 +21,29 @@ Relive::Relive(const Experiment& experiment, std::optional<int> jobs)
 std::vector<EvaluatedLife> Relive::Live(std::vector<Individual> robots) {
   for (Individual& robot : robots) robot.evaluation = {};
   std::vector<EvaluatedLife> lives(robots.size());
-  evaluator_.Begin(robots);
-  while (evaluator_.outstanding() > 0 && !evaluator_.failure())
-    for (EvaluatedRobot& one : evaluator_.Wait(1000))
-      lives[one.robot] = std::move(one.life);
-  if (evaluator_.failure()) lives.clear();
+  const auto keep = [&](std::vector<EvaluatedRobot> lived) -> MaybeFailure {
+    for (EvaluatedRobot& one : lived) lives[one.robot] = std::move(one.life);
+    return std::nullopt;
+  };
+  if (!Live(robots, keep, [] { return false; })) lives.clear();
   return lives;
+}
+
+bool Relive::Live(const std::vector<Individual>& robots,
+                  const OnLives& on_lives,
+                  const std::function<bool()>& should_stop) {
+  constexpr int kPatience = 100;  // ms
+  evaluator_.Begin(robots);
+  bool is_stopped = false;
+  while (!evaluator_.failure() && (is_stopped ? pool_.outstanding() > 0
+                                              : evaluator_.outstanding() > 0)) {
+    std::vector<EvaluatedRobot> lived = evaluator_.Wait(kPatience);
+    if (!lived.empty() && !failure_) failure_ = on_lives(std::move(lived));
+    if (is_stopped || (!failure_ && !should_stop())) continue;
+    is_stopped = true;
+    evaluator_.Cancel();
+  }
+  return !is_stopped && !failure();
 }
 
 Expected<Survivors, Failure> SurvivorsOf(RunStore& store, std::size_t most) {

@@ -4,6 +4,7 @@
 // is looked up: in the scenario of the run, or in it by another engine.
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -24,12 +25,23 @@ class Relive {
   /// In the order of `robots`, whatever their evaluations; empty if there are
   /// no workers any more, which failure() tells.
   std::vector<EvaluatedLife> Live(std::vector<Individual> robots);
-  const MaybeFailure& failure() const { return evaluator_.failure(); }
+
+  using OnLives = std::function<MaybeFailure(std::vector<EvaluatedRobot>)>;
+  /// As they are lived, robots by their places; asks ten times a second whether
+  /// to stop, and then lives what was begun. Whether all lived. Whose
+  /// `on_lives` fails, or who stops, is done with this object.
+  bool Live(const std::vector<Individual>& robots, const OnLives& on_lives,
+            const std::function<bool()>& should_stop);
+  /// What went wrong, if anything did.
+  const MaybeFailure& failure() const {
+    return failure_ ? failure_ : evaluator_.failure();
+  }
 
  private:
   const LifePlanner planner_;
   WorkerPool pool_;
   GenerationEvaluator evaluator_;
+  MaybeFailure failure_;
 };
 
 /// Of the population of the last completed generation, the best first: by their

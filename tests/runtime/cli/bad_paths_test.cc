@@ -60,6 +60,7 @@ const std::vector<std::string> kLines = {
     "show RUN:run.sqlite --format json",
     "show RUN:run.sqlite best --format json",
     "replay RUN:run.sqlite --format json",
+    "relive STUDY|RUN:run.sqlite --lives 1 --quiet --format json",
     "export FILE:r.pls --to json --env flat --scenario --scenario:s.yaml -o "
     "--output:new.json",
     "export FILE:run.sqlite --csv --csv:new",

@@ -64,6 +64,7 @@ COMMANDS = [
     ["develop", "robot.pls", "--svg", "pictures"],
     ["draw", "robot.pls", "-o", "robot.svg"],
     ["report", "run.sqlite", "-o", "report.html"],
+    ["relive", "run.sqlite", "--lives", "1", "--quiet"],
     ["random", "--seed", "1", "-o", "new.pls"],
     ["mutate", "robot.pls", "--seed", "1", "-o", "new.pls"],
     ["trim", "robot.pls", "-o", "new.pls"],

@@ -122,7 +122,8 @@ TEST_CASE("Of a report without a generation there is nothing to compare",
   made.Add(0, {});
   CHECK(CurvesOf(made.report).empty());
   CHECK(FinalsOf(made.report).empty());
-  CHECK(PlasticCurvesOf(made.report).empty());
+  CHECK(DiversityOf(made.report).empty());
+  CHECK(PlasticityOf(made.report).empty());
 }
 
 TEST_CASE("A study's every measure is compared in every season",
@@ -146,16 +147,62 @@ TEST_CASE("A study's every measure is compared in every season",
 TEST_CASE("Plasticity is zero for the baseline, and not for the other",
           "[comparison]") {
   const StudyReport& report = ReportedStudy::Get().report;
-  const std::vector<PlasticCurve> curves = PlasticCurvesOf(report);
+  const std::vector<CensusCurves> curves = PlasticityOf(report);
   REQUIRE(curves.size() == 2);  // one season shows nothing
   CHECK(curves[0].counts.front() == 3);
   CHECK(curves[0].counts.back() == 2);
-  CHECK(curves[0].body.size() == 5);
-  CHECK(curves[0].body.back().high > 0);
-  CHECK(curves[1].body.back().high == 0);
-  CHECK(curves[1].brain.back().high == 0);
+  REQUIRE(curves[0].parts.size() == PlasticityParts().size());
+  for (std::size_t i = 0; i < curves[0].parts.size(); ++i) {
+    INFO(PlasticityParts()[i].id);
+    const auto& plastic = curves[0].parts[i];
+    CHECK(plastic.size() == 5);
+    if (i != 1) CHECK(plastic.back().high > 0);
+    CHECK(plastic.back().high <= 1);
+    CHECK(curves[1].parts[i].back().high == 0);
+  }
   CHECK_FALSE(RulesOf(report, 0).empty());
   CHECK(RulesOf(report, 1).empty());
+}
+
+TEST_CASE("Diversity is counted of every experiment", "[comparison]") {
+  const StudyReport& report = ReportedStudy::Get().report;
+  const std::vector<CensusCurves> curves = DiversityOf(report);
+  REQUIRE(curves.size() == 4);
+  for (const CensusCurves& one : curves) {
+    const double population =
+        report.experiments[one.experiment].experiment.population;
+    REQUIRE(one.parts.size() == DiversityParts().size());
+    for (const auto& part : one.parts) {
+      CHECK(part.size() == 5);
+      CHECK(part.back().low >= 1);
+      CHECK(part.front().high <= population);
+    }
+    // All founders, and then fewer.
+    CHECK(one.parts[2].front().low == population);
+    CHECK(one.parts[2].back().low < population);
+  }
+}
+
+TEST_CASE("What servos did is told of runs that measured it", "[comparison]") {
+  Made made;
+  made.Add(0, {1});
+  made.Add(0, {1});
+  made.Add(0, {1});
+  made.Add(1, {1});
+  const auto set = [&](std::size_t run, double median, double worst) {
+    made.report.runs[run].reading.population.errors = {{median, worst}};
+  };
+  set(0, 0.1, 2);
+  set(1, NAN, NAN);
+  set(2, 0.3, 1);
+  const std::vector<ServoObedience> all = ObedienceOf(made.report);
+  REQUIRE(all.size() == 2);
+  CHECK(all[0].runs == 2);
+  CHECK(all[0].errors.median == Approx(0.2));
+  CHECK(all[0].errors.worst == 2);
+  CHECK(all[1].experiment == 1);
+  CHECK(all[1].runs == 0);
+  CHECK(std::isnan(all[1].errors.median));
 }
 
 TEST_CASE("A single run's curves are its population's", "[comparison]") {

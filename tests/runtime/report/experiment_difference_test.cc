@@ -31,6 +31,19 @@ TEST_CASE("What all share and the paper has not is told", "[report]") {
   CHECK(differences[1].values[0] == "3 1/s");
 }
 
+TEST_CASE("The habits of a profile at the top differ from the paper's",
+          "[report]") {
+  const auto published = ParseExperiment(Source("e", "profile: published\n"));
+  REQUIRE(published);
+  const auto differences = DifferencesOf({*published});
+  REQUIRE(differences.size() > 3);
+  CHECK(differences[0].key == "insertion");
+  CHECK(differences[0].values == std::vector<Value>{"before_end"});
+  CHECK(differences[1].key == "removal");
+  CHECK(differences[2].key == "inheritance");
+  CHECK(differences[2].paper == "genotype");
+}
+
 TEST_CASE("Seasons are compared by their names", "[report]") {
   Experiment slow;
   slow.scenario.seasons[1].duration = 10;

@@ -2,9 +2,11 @@
 
 #include "runtime/report/population.h"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "runtime/store/verify.h"
 #include "tests/runtime/store/stored_run.h"
 
 namespace plsc {
@@ -22,20 +24,6 @@ double MeanBySql(Database& database, const ReportMeasure& measure,
   const double mean = row.TakeReal() * measure.scale;
   row.Run();
   return mean;
-}
-
-double ShareBySql(Database& database, const std::string& part, int generation) {
-  Statement row(
-      database,
-      "SELECT avg(kinds > 1) FROM (SELECT count(DISTINCT ifnull(" + part +
-          ", '')) AS kinds FROM population JOIN evaluation ON "
-          "evaluation.individual = population.id LEFT JOIN phenotype ON "
-          "phenotype.key = evaluation.phenotype "
-          "WHERE population.generation = ? GROUP BY population.id)");
-  REQUIRE(row.With(generation).Next());
-  const double share = row.TakeReal();
-  row.Run();
-  return share;
 }
 
 }  // namespace
@@ -107,25 +95,53 @@ TEST_CASE("The best robot's values are those that SQL finds", "[population]") {
   CHECK(numbers > 50);
 }
 
-TEST_CASE("Shares of plastic robots are those that SQL finds", "[population]") {
+TEST_CASE("Errors of servos are those of the last survivors", "[population]") {
   const test::Scratch scratch;
   test::WriteRun(scratch / "run");
   Database database;
   REQUIRE_FALSE(database.Open(scratch / "run", Database::Mode::kRead));
-  const auto summary = SummarisePopulation(database, PaperMeasures(), false);
-  REQUIRE(summary.plastic.size() ==
+  const auto measures = *ChooseMeasures("servo_error_worst, size");
+  const PopulationSummary summary =
+      SummarisePopulation(database, measures, true);
+  // What is measured and what is only told are two things.
+  REQUIRE(summary.series.size() == 2 * summary.seasons.size());
+  REQUIRE(summary.errors.size() == summary.seasons.size());
+  for (std::size_t s = 0; s < summary.seasons.size(); ++s) {
+    Statement row(database,
+                  "SELECT servo_error_median, servo_error_worst FROM "
+                  "population JOIN result ON result.id = population.id "
+                  "WHERE population.generation = ? AND season = ? "
+                  "AND servo_error_median IS NOT NULL");
+    std::vector<double> medians;
+    double worst = 0;
+    row.With(summary.generations - 1, summary.seasons[s]);
+    while (row.Next()) {
+      medians.push_back(row.TakeReal());
+      worst = std::max(worst, row.TakeReal());
+    }
+    REQUIRE(medians.size() > 2);
+    CHECK(worst > 0);
+    CHECK(summary.errors[s].median == QuartilesOf(medians).median);
+    CHECK(summary.errors[s].worst == worst);
+    CHECK(summary.of(0, s).means.size() ==
           static_cast<std::size_t>(summary.generations));
-  double most = 0;
-  for (int g = 0; g < summary.generations; ++g) {
-    CAPTURE(g);
-    const PlasticShares& shares = summary.plastic[static_cast<std::size_t>(g)];
-    CHECK(shares.body ==
-          Approx(ShareBySql(database, "phenotype.body", g)).margin(1e-12));
-    CHECK(shares.brain ==
-          Approx(ShareBySql(database, "phenotype.packed", g)).margin(1e-12));
-    most = std::max(most, shares.body);
   }
-  CHECK(most > 0);
+}
+
+TEST_CASE("A store of before has no errors of servos", "[population]") {
+  Database database;
+  REQUIRE_FALSE(database.Open(PLSC_SOURCE_DIR "/tests/data/run_schema_2.sqlite",
+                              Database::Mode::kRead));
+  REQUIRE_FALSE(CheckIdentity(database));
+  const auto measures = *ChooseMeasures("core_turns, contacts");
+  const PopulationSummary summary =
+      SummarisePopulation(database, measures, false);
+  REQUIRE_FALSE(database.TakeFailure());
+  CHECK(std::isnan(summary.of(0, 0).means.back()));
+  CHECK(summary.of(1, 0).means.back() > 0);
+  REQUIRE(summary.errors.size() == 2);
+  CHECK(std::isnan(summary.errors[0].median));
+  CHECK(std::isnan(summary.errors[0].worst));
 }
 
 TEST_CASE("Quartiles over robots are told when asked for", "[population]") {

@@ -63,7 +63,7 @@ TEST_CASE("A baseline's rules have no clauses to be counted", "[read_run]") {
   const RunReading reading = ReadRun(path, Paper());
   CHECK(reading.state == RunState::kDone);
   CHECK(reading.rules.empty());
-  CHECK(reading.population.plastic.back().body == 0);
+  CHECK(reading.population.censuses.back().plastic_bodies == 0);
 }
 
 TEST_CASE("What cannot be read, or is another run, is damaged and says why",

@@ -22,7 +22,7 @@ json JsonOf(const StudyReport& report) {
 
 TEST_CASE("The JSON of a report has every part of it", "[report_json]") {
   const json report = JsonOf(ReportedStudy::Get().report);
-  CHECK(report["plsc_report"] == 2);
+  CHECK(report["plsc_report"] == 3);
   CHECK(report["title"] == "reported");
   CHECK(report["made"]["by"] == "plsc 1");
   CHECK(report["generation"] == 4);
@@ -36,6 +36,14 @@ TEST_CASE("The JSON of a report has every part of it", "[report_json]") {
   CHECK(report["finals"][0]["values"][0]["run"] == "plastic/1");
   CHECK(report["tests"][0]["p"].is_number());
   CHECK(report["plasticity"].size() == 2);
+  CHECK(report["plasticity"][0]["silent"]["median"].size() == 5);
+  CHECK(report["diversity"].size() == 4);
+  CHECK(report["diversity"][0]["founders"]["median"][0] == 8);
+  REQUIRE(report["servo_errors"].size() == 2 + 2 + 1 + 1);
+  CHECK(report["servo_errors"][0]["engine"] == "ode");
+  CHECK(report["servo_errors"][0]["solver"] == "direct");
+  CHECK(report["servo_errors"][0]["iterations"].is_null());
+  CHECK(report["servo_errors"][0]["runs"] == 3);
   REQUIRE(report["regulation"].size() == 1);
   CHECK(report["regulation"][0]["symbols"].size() == 5);
   CHECK(report["constants"].size() == 4);
@@ -71,8 +79,8 @@ TEST_CASE("Whatever a table is of has a name", "[report_json]") {
       CHECK(measures.contains(one["measure"]));
       CHECK(seasons.contains(one["season"]));
     }
-  for (const char* table :
-       {"curves", "finals", "plasticity", "regulation", "runs", "constants"})
+  for (const char* table : {"curves", "finals", "diversity", "plasticity",
+                            "servo_errors", "regulation", "runs", "constants"})
     for (const json& one : report[table])
       CHECK(experiments.contains(one["experiment"]));
   for (const json& one : report["tests"]) {

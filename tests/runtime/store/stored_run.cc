@@ -28,6 +28,9 @@ Simulated LookClosely(const Phenotype& robot, const Season& season,
   seen.behaviour.displacement_velocity =
       robot.body.modules.size() % 2 ? -0.0 : 5e-324;
   seen.behaviour.contacts = 1e300 / 3;
+  seen.behaviour.servo_error_median = std::abs(std::sin(number)) / 7;
+  seen.behaviour.servo_error_worst = std::abs(std::cos(number)) / 3;
+  seen.behaviour.core_turns = std::sqrt(number);
   seen.solver_warnings = static_cast<int>(NumberOf(robot) % 3);
   return seen;
 }

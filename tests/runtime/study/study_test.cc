@@ -124,6 +124,25 @@ TEST_CASE("The example studies are right", "[study]") {
     CHECK(found == half);
   }
 
+  // The same four as published: by their keys and not by the paper's.
+  const Study published = read("published_study.yaml");
+  REQUIRE(published.experiments.size() == paper.experiments.size());
+  Experiment habits;
+  habits.variation.insertion = InsertionPoint::kBeforeEnd;
+  habits.variation.removal = Removal::kByValue;
+  habits.inheritance = Inheritance::kJoined;
+  habits.scenario = PublishedScenario();
+  CHECK(published.experiments[0].experiment == habits);
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Experiment& one = published.experiments[i].experiment;
+    CHECK(published.experiments[i].name == paper.experiments[i].name);
+    CHECK(one.variation == habits.variation);
+    CHECK(one.inheritance == Inheritance::kJoined);
+    CHECK(one.scenario.controller == ControllerMode::kOpenLoop);
+  }
+  CHECK(published.experiments[3].experiment.scenario.seasons[0].physics ==
+        habits.scenario.seasons[1].physics);
+
   const Study small = read("small_study.yaml");
   REQUIRE(small.experiments.size() == paper.experiments.size());
   for (std::size_t i = 0; i < small.experiments.size(); ++i)

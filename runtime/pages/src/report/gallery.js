@@ -1,6 +1,7 @@
 // The best robot of each run, with its body in every season side by side.
 import { element } from "../common/dom.js";
 import { csvButton, table } from "./chart.js";
+import { relivedSpeed, relivedText } from "./relived.js";
 import { number } from "./text.js";
 
 const changes = { born: "", none: "same body and brain", brain: "another brain", body: "another body" };
@@ -18,7 +19,7 @@ const sensedText = (sensed) =>
     .map(([state, value]) => `${state} ${words[value] ?? value}`)
     .join(", ");
 
-const seasonFigure = (season, label) =>
+const seasonFigure = (season, label, relived) =>
   element(
     "figure",
     {},
@@ -28,6 +29,7 @@ const seasonFigure = (season, label) =>
       {},
       element("b", {}, season.season),
       season.speed === null ? ` ${season.outcome}` : ` ${number(season.speed)} cm/s`,
+      relived ? [element("br"), element("span", { class: "relived" }, relived)] : null,
       element("br"),
       season.balance === null ? null : `balance ${number(season.balance)}, `,
       `size ${season.size}`,
@@ -59,13 +61,13 @@ const card = (run) =>
     { class: "robot" },
     element("h4", {}, run.label, run.state === "done" ? null : element("span", { class: "badge" }, run.state)),
     element("p", { class: "quiet" }, `robot ${run.best.id}, born in generation ${run.best.born}`),
-    element("div", { class: "bodies" }, run.best.seasons.map((season) => seasonFigure(season, run.label))),
+    element("div", { class: "bodies" }, run.best.seasons.map((season) => seasonFigure(season, run.label, relivedText(run, season.season)))),
     rulesOf(run.best),
   );
 
 const csvRows = (runs) =>
   runs.flatMap((run) =>
-    run.best.seasons.map(({ season, outcome, speed, balance, size, change, sensed }) => ({ run: run.label, robot: run.best.id, born: run.best.born, season, speed_cm_s: speed, balance, size, change, sensed: sensedText(sensed), outcome })),
+    run.best.seasons.map(({ season, outcome, speed, balance, size, change, sensed }) => ({ run: run.label, robot: run.best.id, born: run.best.born, season, speed_cm_s: speed, relived_low: relivedSpeed(run, season).low, relived_median: relivedSpeed(run, season).median, relived_high: relivedSpeed(run, season).high, balance, size, change, sensed: sensedText(sensed), outcome })),
   );
 
 export function gallerySection(data) {

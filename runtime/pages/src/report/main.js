@@ -8,9 +8,12 @@ import { enginesSection } from "./engines.js";
 import { gallerySection } from "./gallery.js";
 import { measureSection } from "./measures.js";
 import { numbered } from "./numbered.js";
+import { diversitySection } from "./diversity.js";
 import { plasticitySection } from "./plasticity.js";
 import { provenanceSection } from "./provenance.js";
+import { relivedNote } from "./relived.js";
 import { stylesOf } from "./series.js";
+import { swapsSection } from "./swaps.js";
 import { testsSection } from "./tests.js";
 import { plural } from "./text.js";
 import { unfinishedText } from "./unfinished.js";
@@ -58,14 +61,23 @@ function measuresSection(data, measures) {
   const note = data.single
     ? "Lines are medians and bands quartiles of the population's robots, in each generation, and the thin line is its best robot, the one that dominates most others. Robots whose life was not completed have no behaviour and are left out."
     : "Each run counts with the mean of its population, and below with its best robot, the one that dominates most others. Lines are medians and bands quartiles of runs. Boxes are quartiles, whiskers end at the farthest run within 1.5 times the box, dots are runs, diamonds means. Robots whose life was not completed have no behaviour and are left out.";
-  return element("section", { id: "measures" }, element("h2", {}, "Measures"), element("p", { class: "note" }, note), element("div", { class: data.single && data.seasons.length === 1 ? "pairs" : null }, measures));
+  const without = data.measures.filter((_, i) => !data.curves.some(({ measure }) => measure === i)).map(({ title }) => title);
+  return element(
+    "section",
+    { id: "measures" },
+    element("h2", {}, "Measures"),
+    element("p", { class: "note" }, note),
+    relivedNote(data),
+    without.length ? element("p", { class: "note", id: "without" }, `No run has a value of ${without.join(", ")}.`) : null,
+    element("div", { class: data.single && data.seasons.length === 1 ? "pairs" : null }, measures),
+  );
 }
 
 function show(data) {
   const styles = stylesOf(data.experiments);
   const measures = data.measures.map((_, index) => measureSection(data, styles, index)).filter(Boolean);
   const differences = differencesSection(data);
-  const rest = [testsSection(data), plasticitySection(data, styles), enginesSection(data, styles), gallerySection(data), provenanceSection(data)].filter(Boolean);
+  const rest = [testsSection(data), diversitySection(data, styles), plasticitySection(data, styles), swapsSection(data, styles), enginesSection(data, styles), gallerySection(data), provenanceSection(data)].filter(Boolean);
   const all = measuresSection(data, measures);
   document.body.append(element("main", {}, header(data), contents([differences, ...measures, ...rest]), differences, all, rest));
 }

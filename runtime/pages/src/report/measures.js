@@ -32,23 +32,23 @@ function curveCaption(data, season, lines, of) {
   return `${season}: ${what}${dotted}.`;
 }
 
-function boxCaption(data, season, boxes, tests, of) {
+function boxCaption(data, season, boxes, tests, of, told) {
   const n = boxes.map(({ values }) => values.length);
-  const told = tests.map(({ p }) => (p === null ? "no test: all values are equal" : `p = ${pValue(p)}`));
-  const test = told.length === 1 ? ` Rank-sum test: ${told[0].replaceAll(" ", "\u00a0")}.` : "";
-  return `${season}, generation ${data.generation}: ${kinds[of].of}, n = ${n.join(", ")} runs.${test}`;
+  const values = tests.map(({ p }) => (p === null ? "no test: all values are equal" : `p = ${pValue(p)}`));
+  const test = values.length === 1 ? ` Rank-sum test: ${values[0].replaceAll(" ", "\u00a0")}.` : "";
+  return `${season}, generation ${data.generation}: ${told === "relived" ? `${kinds[of].of}, of medians of relived lives` : kinds[of].of}, n = ${n.join(", ")} runs.${test}`;
 }
 
 // A row of charts: curves and boxes of one kind, in every season.
-function chartsOf(data, styles, index, of) {
+function chartsOf(data, styles, index, of, told = "recorded") {
   const measure = data.measures[index];
-  const mine = (list) => list.filter((one) => one.measure === index && (one.of ?? "mean") === of);
-  const curves = mine(data.curves);
+  const mine = (list) => list.filter((one) => one.measure === index && (one.of ?? "mean") === of && (one.told ?? "recorded") === told);
+  const curves = told === "recorded" ? mine(data.curves) : [];
   const finals = mine(data.finals);
   const tests = of === "mean" ? mine(data.tests) : [];
-  if (!curves.length) return null;
+  if (!curves.length && !finals.length) return null;
   const isStatic = ({ experiment }) => data.experiments[experiment].static;
-  const title = `${measure.title}${kinds[of].title}`;
+  const title = `${told === "relived" ? "Relived " : ""}${measure.title}${kinds[of].title}`;
   const bests = data.single ? data.curves.filter((one) => one.measure === index && one.of === "best") : [];
   const curveDomain = domainOf([...curves.flatMap((one) => (isStatic(one) ? [one.median] : [one.low, one.high])), ...bests.map(({ median }) => median)]);
   const boxDomain = domainOf(finals.flatMap((one) => (isStatic(one) ? [one.mean] : one.values.map(({ value }) => value))));
@@ -57,7 +57,7 @@ function chartsOf(data, styles, index, of) {
   const figures = { curves: [], boxes: [] };
   data.seasons.forEach((season, seasonIndex) => {
     const here = (one) => one.season === seasonIndex;
-    const common = { yLabel: `${season}: ${withUnit(measure)}`, columns: { measure: measure.id, unit: measure.unit ?? "", season, of } };
+    const common = { yLabel: `${season}: ${withUnit(measure)}`, columns: { measure: measure.id, unit: measure.unit ?? "", season, of, told } };
     const lines = curves.filter(here).map((one) => ({
       name: data.experiments[one.experiment].name,
       style: styles[one.experiment],
@@ -92,7 +92,7 @@ function chartsOf(data, styles, index, of) {
     // Of one run there is no distribution of runs.
     if (boxes.length && !data.single)
       figures.boxes.push(
-        boxesFigure({ ...common, title: `${title} of generation ${data.generation}, ${season}`, name: fileName(title, season, "boxes"), domain: boxDomain, boxes, references, tests: tests.filter(here), caption: boxCaption(data, season, boxes, tests.filter(here), of) }),
+        boxesFigure({ ...common, title: `${title} of generation ${data.generation}, ${season}`, name: fileName(title, season, "boxes"), domain: boxDomain, boxes, references, tests: tests.filter(here), caption: boxCaption(data, season, boxes, tests.filter(here), of, told) }),
       );
   });
   return element("div", { class: "charts" }, figures.curves, figures.boxes);
@@ -102,10 +102,12 @@ export function measureSection(data, styles, index) {
   const means = chartsOf(data, styles, index, "mean");
   if (!means) return null;
   const best = data.single ? null : chartsOf(data, styles, index, "best");
+  const relived = data.single ? [] : ["mean", "best"].map((of) => chartsOf(data, styles, index, of, "relived")).filter(Boolean);
   return element(
     "section",
     { class: "measure", id: `measure-${index}` },
     element("h3", {}, withUnit(data.measures[index])),
+    relived.length ? [element("h4", {}, "Relived: population means, best robots"), relived, element("h4", {}, "Recorded")] : null,
     means,
     best ? [element("h4", {}, "Best robot of each run"), best] : null,
   );

@@ -12,6 +12,6 @@ export function numbered(data) {
   };
   find.first = find.second = find.experiment;
   const count = (one) => Object.fromEntries(Object.entries(one).map(([key, value]) => [key, find[key] ? find[key](value) : value]));
-  const tables = ["curves", "finals", "tests", "plasticity", "regulation", "runs", "constants"];
+  const tables = ["curves", "finals", "tests", "diversity", "plasticity", "regulation", "runs", "constants"];
   return { ...data, ...Object.fromEntries(tables.map((name) => [name, data[name].map(count)])) };
 }

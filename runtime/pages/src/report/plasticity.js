@@ -2,39 +2,16 @@
 import * as Plot from "@observablehq/plot";
 import { element } from "../common/dom.js";
 import { addLegend, chartFigure, legendHeight } from "./chart.js";
-import { curvesFigure, usualWidth, widthInRow } from "./curves.js";
+import { censusFigure } from "./census.js";
 import { patternColours } from "./series.js";
-import { fileName, percent, plural, range } from "./text.js";
+import { fileName, plural } from "./text.js";
 
 const parts = [
-  { name: "body", title: "Robots whose body differs between seasons" },
-  { name: "brain", title: "Robots whose brain differs between seasons" },
+  { name: "body", title: "Robots whose body differs between seasons", yLabel: "% of robots", isShare: true },
+  { name: "brain_only", title: "Robots whose brain alone differs between seasons", yLabel: "% of robots", isShare: true },
+  { name: "regulated", title: "Rules that have a clause", yLabel: "% of rules", isShare: true },
+  { name: "silent", title: "Rules that are active in no season", yLabel: "% of rules", isShare: true },
 ];
-
-function partFigure(data, styles, part) {
-  const lines = data.plasticity.map((one) => ({
-    name: data.experiments[one.experiment].name,
-    style: styles[one.experiment],
-    hasBand: true,
-    counts: one.runs,
-    ...one[part.name],
-  }));
-  const last = lines.map(({ name, median }) => `${name} ${percent(median.at(-1))}`).join(", ");
-  const of = data.single ? "of the population" : `median and quartiles of n = ${range(lines.flatMap(({ counts }) => counts))} runs an experiment`;
-  return curvesFigure({
-    title: part.title,
-    yLabel: "% of robots",
-    columns: { part: part.name },
-    domain: [0, 100],
-    isShare: true,
-    generations: [0, Math.max(1, ...lines.map(({ median }) => median.length - 1))],
-    lines,
-    width: data.single ? widthInRow(parts.length) : usualWidth,
-    isSingle: data.single,
-    name: fileName("plasticity", part.name),
-    caption: `${part.title}, ${of}. At the end: ${last}.`,
-  });
-}
 
 // "only flat", "flat and tilted", "never".
 function patternName(seasons, held) {
@@ -104,7 +81,7 @@ export function plasticitySection(data, styles) {
     { id: "plasticity" },
     element("h2", {}, "Plasticity"),
     element("p", { class: "note" }, "A robot is plastic where another body, or another brain, develops of its one genotype in another season. A clause that is held in some seasons only is what makes it so."),
-    element("div", { class: "charts" }, data.plasticity.length ? parts.map((part) => partFigure(data, styles, part)) : null),
+    element("div", { class: "charts" }, data.plasticity.length ? parts.map((part) => censusFigure(data, styles, { section: "plasticity", curves: data.plasticity, part, inRow: 2 })) : null),
     data.regulation.length ? element("h3", {}, "Where rules are active") : null,
     element(
       "div",

@@ -1,6 +1,7 @@
 // Where the results come from: runs, versions, constants.
 import { element } from "../common/dom.js";
 import { csvButton, table } from "./chart.js";
+import { servos } from "./servos.js";
 import { duration, percent, plural, whole } from "./text.js";
 
 const isRead = (run) => run.seed !== undefined;
@@ -97,6 +98,15 @@ function versions(runs) {
   return [...texts].map(([text, labels]) => element("p", {}, element("b", {}, text), `: ${labels.join(", ")}`));
 }
 
+// What runs of older stores cannot tell.
+function lacks(runs) {
+  const older = runs.filter((run) => run.lacks.length);
+  if (!older.length) return null;
+  const names = [...new Set(older.flatMap((run) => run.lacks))].join(", ");
+  const whose = older.length === runs.length ? "These runs were" : `${older.map(({ label }) => label).join(", ")} were`;
+  return element("p", { id: "lacks" }, `${whose} made by a plsc that did not measure ${names}, and are left out there.`);
+}
+
 // A row a constant; a column an experiment's season, equal ones put together.
 function constants(data) {
   const sets = data.constants.flatMap(({ experiment, same, values }) =>
@@ -131,9 +141,11 @@ export function provenanceSection(data) {
     element("h2", {}, "Provenance"),
     element("p", {}, totals(read)),
     versions(read),
+    lacks(read),
     element("p", { id: "verified" }, verifiedText(data)),
     table(columns, data.runs.map(rowOf), { label: "runs" }),
     csvButton("the runs", "runs", data.runs.map(csvRow)),
+    servos(data),
     data.constants.length ? constants(data) : null,
   );
 }

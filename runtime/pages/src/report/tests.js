@@ -14,7 +14,7 @@ function choose(n, k) {
 const leastP = (m, n) => Math.min(1, 2 / choose(m + n, Math.min(m, n)));
 
 const finalOf = (data, test, experiment) =>
-  data.finals.find((one) => one.of === "mean" && one.measure === test.measure && one.season === test.season && one.experiment === experiment);
+  data.finals.find((one) => one.of === "mean" && one.told === test.told && one.measure === test.measure && one.season === test.season && one.experiment === experiment);
 
 function rowOf(data, test) {
   const first = finalOf(data, test, test.first);
@@ -22,6 +22,7 @@ function rowOf(data, test) {
   return {
     measure: data.measures[test.measure].title,
     season: data.seasons[test.season],
+    told: test.told,
     pair: `${data.experiments[test.first].name} – ${data.experiments[test.second].name}`,
     n: `${test.first_runs}, ${test.second_runs}`,
     medians: `${number(first.median)} – ${number(second.median)}`,
@@ -35,6 +36,7 @@ function rowOf(data, test) {
 const csvRow = (data, test) => ({
   measure: data.measures[test.measure].id,
   season: data.seasons[test.season],
+  told: test.told,
   first: data.experiments[test.first].name,
   second: data.experiments[test.second].name,
   first_runs: test.first_runs,
@@ -51,6 +53,7 @@ const csvRow = (data, test) => ({
 const columns = [
   { name: "measure", title: "measure" },
   { name: "season", title: "season" },
+  { name: "told", title: "values" },
   { name: "pair", title: "experiments" },
   { name: "n", title: "runs", isNumber: true },
   { name: "medians", title: "medians", isNumber: true },
@@ -62,7 +65,8 @@ const columns = [
 
 function notesOf(data) {
   const bound = Math.max(...data.tests.map((test) => leastP(test.first_runs, test.second_runs)));
-  const count = data.tests.length;
+  // The same claims told twice are one family.
+  const count = data.tests.filter(({ told }) => told === data.tests[0].told).length;
   return [
     `Two-sided Wilcoxon rank-sum tests of the runs' population means in generation ${data.generation}, as R's wilcox.test has them: exact below 50 runs without equal values, else from the normal distribution with corrections for ties and continuity. * p < 0.05, ** p < 0.01, *** p < 0.001.`,
     `${plural(count, "test")}, not corrected for their number, as the paper's are not` + (count > 1 ? `; with Bonferroni's correction the bound for * would be ${pValue(0.05 / count)}.` : "."),

@@ -5,6 +5,7 @@
 
 #include "runtime/cli/arguments/command_description.h"
 #include "runtime/cli/arguments/evaluate.h"
+#include "runtime/cli/arguments/relive.h"
 #include "runtime/cli/arguments/robots.h"
 #include "runtime/cli/arguments/runs.h"
 #include "runtime/cli/arguments/study.h"
@@ -110,6 +111,7 @@ TEST_CASE("every command with --jobs takes 0", "[arguments]") {
   const std::map<std::string, Row> rest = {
       {"evolve", {{"evolve", "e.yaml", "-o", "x"}, JobsOf<cli::EvolveCommand>}},
       {"replay", {{"replay", "x"}, JobsOf<cli::ReplayCommand>}},
+      {"relive", {{"relive", "x"}, JobsOf<cli::ReliveCommand>}},
       {"evaluate", {{"evaluate", "--stdin"}, JobsOf<cli::EvaluateCommand>}},
       {"test", {{"test", "a"}, JobsOf<cli::TestCommand>}},
       {"study run",

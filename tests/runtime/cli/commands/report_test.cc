@@ -52,7 +52,7 @@ TEST_CASE("report writes a page, and replaces it", "[report]") {
   CHECK(ran.out == page + ": 1 run: 1 done\n");
   const std::string text = test::ReadFile(page);
   CHECK(text.starts_with("<!DOCTYPE html>"));
-  CHECK(HasPart(text, "\"plsc_report\":2"));
+  CHECK(HasPart(text, "\"plsc_report\":3"));
   CHECK(folder.Files() == std::vector<std::string>{"page.html"});
 
   const auto quiet =

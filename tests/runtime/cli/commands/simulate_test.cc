@@ -58,7 +58,7 @@ TEST_CASE("simulate lives each season with the body of its environment",
       CHECK(table.out.find(name) != std::string::npos);
     // Header and two seasons of two lines as below; a blank, a header, 5 + 20
     // + 11.
-    CHECK(std::count(table.out.begin(), table.out.end(), '\n') == 6 + 2 + 36);
+    CHECK(std::count(table.out.begin(), table.out.end(), '\n') == 6 + 2 + 39);
   }
   SECTION("a table for people") {
     const auto table =
@@ -70,6 +70,29 @@ TEST_CASE("simulate lives each season with the body of its environment",
     CHECK(table.out.find("\n  another body: inclined False -> True\n") !=
           std::string::npos);
   }
+}
+
+TEST_CASE("simulate says how far an iterative solver is from converging",
+          "[simulate]") {
+  const test::TemporaryFolder folder;
+  const std::string scenario = folder.Write(
+      "s.yaml",
+      "seasons:\n"
+      "  - {name: direct, duration: 1 s, senses: {inclined: True}}\n"
+      "  - {name: few, duration: 1 s, senses: {inclined: True},\n"
+      "     physics: {solver: iterative, solver_iterations: 7}}\n"
+      "  - {name: still, duration: 1 s, senses: {inclined: False},\n"
+      "     physics: {solver: iterative}}\n");
+  const auto ran =
+      RunPlsc({"simulate", "-", "--scenario", scenario}, test::kPlasticText);
+  REQUIRE(ran.exit == 0);
+  const std::string told = "  iterative solver, ";
+  const std::size_t at = ran.out.find(told);
+  REQUIRE(at != std::string::npos);
+  CHECK(ran.out.find(told + "7 iterations: half of the joints' speeds are ") ==
+        at);
+  // Neither of the direct solver nor of a robot without joints.
+  CHECK(ran.out.find(told, at + 1) == std::string::npos);
 }
 
 TEST_CASE("simulate writes the samples of each season", "[simulate]") {
