@@ -12,9 +12,9 @@
 // only then.
 //
 // Each place is filled exactly once, and a robot is told when all of its pieces
-// are, of all of its trials. A worker's death is the answer for the places that waited for it but is
-// not kept for others, nor in a cache: it says something about a process and
-// nothing about a robot.
+// are, of all of its trials. A worker's death is the answer for the places that
+// waited for it but is not kept for others, nor in a cache: it says something
+// about a process and nothing about a robot.
 
 #include "runtime/evolve/generation_evaluator.h"
 
@@ -78,8 +78,8 @@ void GenerationEvaluator::Plan(std::size_t robot) {
   std::vector<std::vector<LifePiece>> pieces;
   for (std::size_t i = 0; i < open.trials.size(); ++i) {
     open.lives[i].resize(planner_.scenario().seasons.size());
-    pieces.push_back(planner_.Plan(one.genotype, one.heritage.senses,
-                                   open.trials[i]));
+    pieces.push_back(
+        planner_.Plan(one.genotype, one.heritage.senses, open.trials[i]));
     open.pieces += pieces.back().size();
   }
   if (open.pieces == 0) known_.push_back(robot);

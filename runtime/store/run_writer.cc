@@ -182,7 +182,7 @@ RunWriter::RunWriter(Database& database, RunReader& reader,
                  "SELECT count(*) FROM evaluation WHERE individual = ? "
                  "AND outcome = 'worker_died'"),
       remove_(database, "DELETE FROM evaluation WHERE individual = ?"),
-      trials_(database),
+      trials_(database, true),
       sum_evaluation_(database,
                       "UPDATE evaluation SET checksum = ? "
                       "WHERE individual = ? AND season = ?"),

@@ -22,12 +22,12 @@ constexpr const char* kColumns =
     "season, phenotype, simulation, outcome, reason, fitness, lift, shift_x, "
     "shift_y, yaw, friction, lean, touch, touch_seed, motor, motor_seed";
 
-std::optional<std::string> HexOf(const Key& key) {
+std::optional<std::string> HexIfAny(const Key& key) {
   if (key == Key{}) return std::nullopt;
   return Hex(key);
 }
 
-Key TakeKey(Statement& row, bool& is_damaged) {
+Key TakeHexKey(Statement& row, bool& is_damaged) {
   const bool is_there = !row.IsNull();
   const auto key = KeyOfHex(row.TakeText());
   is_damaged = is_damaged || (is_there && !key);
@@ -45,8 +45,8 @@ Noise TakeNoise(Statement& row, bool& is_damaged) {
 
 StoredTrial TakeTrial(Statement& row, bool& is_damaged) {
   StoredTrial trial;
-  trial.phenotype = TakeKey(row, is_damaged);
-  trial.simulation = TakeKey(row, is_damaged);
+  trial.phenotype = TakeHexKey(row, is_damaged);
+  trial.simulation = TakeHexKey(row, is_damaged);
   const auto outcome = ValueIn(kOutcomeNames, row.TakeText());
   is_damaged = is_damaged || !outcome;
   trial.outcome = outcome.value_or(Outcome{});
@@ -66,13 +66,17 @@ StoredTrial TakeTrial(Statement& row, bool& is_damaged) {
 
 }  // namespace
 
-TrialRows::TrialRows(Database& database)
+TrialRows::TrialRows(Database& database, bool is_writing)
     : database_(database),
       insert_(database,
-              fmt::format("INSERT INTO trial(individual, number, {}) VALUES(?, "
-                          "?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)",
-                          kColumns)),
-      remove_(database, "DELETE FROM trial WHERE individual = ?"),
+              is_writing
+                  ? fmt::format("INSERT INTO trial(individual, number, {}) "
+                                "VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, "
+                                "?, ?, ?, ?, ?)",
+                                kColumns)
+                  : std::string("SELECT 1")),
+      remove_(database, is_writing ? "DELETE FROM trial WHERE individual = ?"
+                                   : "SELECT 1"),
       find_(database, fmt::format("SELECT {} FROM trial WHERE individual = ? "
                                   "ORDER BY season, number",
                                   kColumns)) {}
@@ -84,8 +88,8 @@ void TrialRows::Add(int individual, int season,
     const auto& [lift, x, y, yaw, friction, lean, touch, motor] = disturbance;
     insert_
         .With(individual, static_cast<std::int64_t>(i) + 1, season,
-              HexOf(evidence.phenotype),
-              HasSimulation(trials[i]) ? HexOf(evidence.simulation)
+              HexIfAny(evidence.phenotype),
+              HasSimulation(trials[i]) ? HexIfAny(evidence.simulation)
                                        : std::nullopt,
               OutcomeName(result.outcome), result.reason, result.fitness)
         .And(lift)

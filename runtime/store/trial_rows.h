@@ -26,7 +26,8 @@ struct StoredTrial {
 
 class TrialRows {
  public:
-  explicit TrialRows(Database& database);
+  /// Of an older store, where the table is but a view, for reading only.
+  explicit TrialRows(Database& database, bool is_writing = false);
 
   /// Phenotype and simulation are there already.
   void Add(int individual, int season, const std::vector<Trial>& trials);

@@ -30,7 +30,8 @@ struct LifeToView {
   std::string source;
   Genotype genotype;
   Scenario scenario;
-  Circumstances circumstances;
+  Senses inherited;
+  Disturbances disturbances;
   std::string run;  ///< whose life it is again; empty: of none
   Versions versions;
   std::vector<SeasonResult> stored;
@@ -86,7 +87,7 @@ std::optional<Viewed> LoadGenotype(const std::string& path,
   if (!program || !CanLive(scenario, program->genotype, io))
     return std::nullopt;
   return LifeToView{
-      FileName(path), program->genotype, scenario, {}, "", {}, {}};
+      FileName(path), program->genotype, scenario, {}, {}, "", {}, {}};
 }
 
 /// `engine`: as ViewCommand's.
@@ -116,14 +117,11 @@ bool LoadRobots(const ViewInput& input, std::optional<EngineKind> engine,
     const std::string source =
         fmt::format("{}, robot {}", FileName(input.path), id);
     // Nobody who was bred for another scenario is in a store.
-    viewed.emplace_back(LifeToView{
-        source,
-        std::move(one->genotype),
-        scenario,
-        {std::move(one->heritage.senses), std::move(one->disturbances)},
-        is_replay ? input.path : "",
-        store.versions(),
-        std::move(one->evaluation.seasons)});
+    viewed.emplace_back(
+        LifeToView{source, std::move(one->genotype), scenario,
+                   std::move(one->heritage.senses),
+                   std::move(one->disturbances), is_replay ? input.path : "",
+                   store.versions(), std::move(one->evaluation.seasons)});
   }
   return true;
 }
@@ -161,7 +159,8 @@ std::string RemarkOn(const LifeToView& one,
 }
 
 std::optional<ViewedLife> LiveNow(const LifeToView& one, Io& io) {
-  RecordedLife life(one.genotype, one.scenario, one.circumstances, true, io);
+  RecordedLife life(one.genotype, one.scenario,
+                    {one.inherited, one.disturbances}, true, io);
   std::vector<SeasonResult> results;
   while (!life.is_over()) {
     results.push_back(life.Next().result);

@@ -35,8 +35,7 @@ TEST_CASE("Fitness over trials", "[trials]") {
   CHECK(FitnessOver({5.0, std::nullopt}, 1.0) == std::nullopt);
 }
 
-TEST_CASE("Trials are drawn by what is lived, or by who lives it",
-          "[trials]") {
+TEST_CASE("Trials are drawn by what is lived, or by who lives it", "[trials]") {
   const LifePlanner planner(PaperScenario(), test::Look);
   Individual one = CreateFirst(test::SmallExperiment(), 1);
   Individual twin = one;

@@ -37,8 +37,7 @@ TEST_CASE("Trials are read and printed to equal ones", "[trials_yaml]") {
     const auto one = ParseExperiment(
         Source("x.yaml", std::string("trials_fitness: ") + fitness + "\n"));
     REQUIRE(one);
-    const auto again =
-        ParseExperiment(Source("y.yaml", PrintExperiment(*one)));
+    const auto again = ParseExperiment(Source("y.yaml", PrintExperiment(*one)));
     REQUIRE(again);
     CHECK(again->trials == one->trials);
     CHECK(PrintTrials(one->trials).find(fitness) != std::string::npos);

@@ -117,7 +117,7 @@ TEST_CASE("A trial that was changed is damage", "[trial_rows]") {
     }
     const Health health = Examine(path);
     REQUIRE(health.problem);
-    CHECK_THAT(*health.problem, Catch::Contains("robot 3"));
+    CHECK_THAT(health.problem->text, Catch::Contains("robot 3"));
   }
 }
 
