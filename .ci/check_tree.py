@@ -38,7 +38,7 @@ ARROWS = {
     "runtime/relive": "runtime/store runtime/evolve runtime/vary runtime/life runtime/scenario runtime/develop runtime/text compiler grammar sim",
     "runtime/history": "runtime/pictures runtime/compare runtime/develop runtime/text compiler grammar sim",
     "runtime/study": "runtime/store runtime/evolve runtime/text grammar",
-    "runtime/report": "runtime/study runtime/relive runtime/store runtime/evolve runtime/pictures runtime/life runtime/scenario runtime/develop runtime/text compiler grammar sim",
+    "runtime/report": "runtime/study runtime/relive runtime/store runtime/evolve runtime/vary runtime/pictures runtime/life runtime/scenario runtime/develop runtime/text compiler grammar sim",
     "runtime/lsp": "runtime/advice runtime/text compiler grammar",
     "runtime/pages": "runtime/text",
     "runtime/cli/explanations": "grammar",

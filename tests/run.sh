@@ -33,7 +33,7 @@ while [ $# -gt 0 ]; do
       shift 2 ;;
     --fast) labels=(-L fast); shift ;;
     --core) labels=(-L core); target=core_tests; shift ;;
-    --watched) labels=(-L 'core|runs'); target=watched_tests; shift ;;
+    --watched) labels=(-L 'core|watched'); target=watched_tests; shift ;;
     -h | --help) usage; exit 0 ;;
     *) usage >&2; echo "tests/run.sh: unknown argument '$1'" >&2; exit 2 ;;
   esac

@@ -2,6 +2,12 @@
 
 // PLSC_HAS_ASAN: whether AddressSanitizer is built in, by g++ or by clang. It
 // has a malloc of its own and needs more addresses than limits leave.
+//
+// Sampled: how often a test under a sanitizer does what it does thousands of
+// times. What a sanitizer sees, it sees in the first few; that all of them are
+// right is for the builds without to tell, where nothing is left out.
+
+#include <cstddef>
 
 #if defined(__SANITIZE_ADDRESS__)
 #define PLSC_HAS_ASAN 1
@@ -14,3 +20,16 @@
 #if !defined(PLSC_HAS_ASAN)
 #define PLSC_HAS_ASAN 0
 #endif
+
+namespace plsc::test {
+
+/// `cases`; under AddressSanitizer a tenth of them, the first ones.
+template <typename Count>
+constexpr Count Sampled(Count cases) {
+  return PLSC_HAS_ASAN ? (cases + 9) / 10 : cases;
+}
+
+/// How far apart those are that are taken of a file's cases, one or ten.
+inline constexpr std::size_t kSparser = 10 / Sampled(std::size_t{10});
+
+}  // namespace plsc::test

@@ -191,20 +191,6 @@ void ReadCases(JsonReader& reader, const JsonValue& root, Golden& golden) {
   });
 }
 
-// A newer file is refused with one message, not one for every new key.
-bool ReadVersion(JsonReader& reader, const JsonValue& root) {
-  const auto version =
-      reader.Integer(root, "plsc_golden", 1, std::numeric_limits<int>::max());
-  if (version > kGoldenVersion)
-    reader.Error(JsonValue{root.json["plsc_golden"], &root, "plsc_golden"},
-                 Code::kNewerVersion,
-                 fmt::format("this golden file is of version {}, and this plsc "
-                             "reads version {}",
-                             version, kGoldenVersion),
-                 "use a newer plsc");
-  return reader.errors().empty();
-}
-
 Golden ReadGolden(JsonReader& reader, const JsonValue& root) {
   static constexpr std::array<std::string_view, 3> kKnown{
       "plsc_golden", "descriptor_tolerance", "environments"};
@@ -213,7 +199,8 @@ Golden ReadGolden(JsonReader& reader, const JsonValue& root) {
     reader.Wrong(root, "an object");
     return golden;
   }
-  if (!ReadVersion(reader, root)) return golden;
+  if (!reader.IsReadable(root, "plsc_golden", kGoldenVersion, "golden file"))
+    return golden;
   IsObject(reader, root, kKnown);
   if (reader.Has(root, "descriptor_tolerance"))
     golden.descriptor_tolerance = reader.Number(root, "descriptor_tolerance");

@@ -30,14 +30,6 @@ constexpr std::int64_t kMaxInt = std::numeric_limits<int>::max();
 // A quaternion of a file is rounded to 2^-15 at each part, and no further.
 constexpr double kUnitTolerance = 1e-3;
 
-// Calls `read` with the member, or reports that it is missing.
-template <typename Read>
-void With(JsonReader& reader, const JsonValue& object, std::string_view key,
-          Read read) {
-  if (const nlohmann::json* member = reader.Member(object, key))
-    read(JsonValue{*member, &object, std::string(key)});
-}
-
 template <int kSize>
 Eigen::Matrix<double, kSize, 1> ReadVector(JsonReader& reader,
                                            const JsonValue& object,
@@ -70,13 +62,6 @@ int ReadIndex(JsonReader& reader, const JsonValue& object, std::string_view key,
               std::size_t size) {
   return static_cast<int>(
       reader.Integer(object, key, 0, static_cast<std::int64_t>(size) - 1));
-}
-
-std::optional<double> ReadOptional(JsonReader& reader, const JsonValue& object,
-                                   std::string_view key) {
-  const nlohmann::json* member = reader.Member(object, key);
-  if (member == nullptr || member->is_null()) return std::nullopt;
-  return reader.Number(JsonValue{*member, &object, std::string(key)});
 }
 
 std::uint64_t ReadSeed(JsonReader& reader, const JsonValue& object) {
@@ -231,7 +216,7 @@ Eigen::MatrixXd ReadTrack(JsonReader& reader, const JsonValue& motion,
                                                           "data"};
   const auto rows = static_cast<Eigen::Index>(shape.rows);
   Eigen::MatrixXd numbers;
-  With(reader, motion, key, [&](const JsonValue& track) {
+  reader.With(motion, key, [&](const JsonValue& track) {
     if (!reader.IsObject(track, kKnown)) return;
     const double unit = reader.Number(track, "unit");
     if (unit != shape.unit)
@@ -320,7 +305,7 @@ RecordedSeason ReadSeason(JsonReader& reader, const JsonValue& value) {
   RecordedSeason season;
   if (!reader.IsObject(value, kKnown)) return season;
   season.name = reader.Text(value, "name");
-  With(reader, value, "terrain", [&](const JsonValue& terrain) {
+  reader.With(value, "terrain", [&](const JsonValue& terrain) {
     season.terrain = ReadTerrainJson(reader, terrain);
   });
   season.begin = reader.Number(value, "begin");
@@ -329,30 +314,17 @@ RecordedSeason ReadSeason(JsonReader& reader, const JsonValue& value) {
   season.change_reason = reader.Text(value, "change_reason");
   season.outcome = ReadEnum(reader, value, "outcome", kOutcomeNames);
   season.reason = reader.Text(value, "reason");
-  season.speed = ReadOptional(reader, value, "speed");
-  season.balance = ReadOptional(reader, value, "balance");
-  season.fitness = ReadOptional(reader, value, "fitness");
-  With(reader, value, "body",
-       [&](const JsonValue& body) { season.body = ReadBody(reader, body); });
-  With(reader, value, "motion", [&](const JsonValue& motion) {
+  season.speed = reader.NumberIfAny(value, "speed");
+  season.balance = reader.NumberIfAny(value, "balance");
+  season.fitness = reader.NumberIfAny(value, "fitness");
+  reader.With(value, "body", [&](const JsonValue& body) {
+    season.body = ReadBody(reader, body);
+  });
+  reader.With(value, "motion", [&](const JsonValue& motion) {
     season.motion = ReadMotion(reader, motion, season.body);
     season.motion.begin = season.begin;
   });
   return season;
-}
-
-// A newer file is refused with one message, not one for every new key.
-bool IsOfThisVersion(JsonReader& reader, const JsonValue& root) {
-  const auto version = reader.Integer(root, "plsc_recording", 1, kMaxInt);
-  if (version > kRecordingVersion)
-    reader.Error(
-        JsonValue{root.json["plsc_recording"], &root, "plsc_recording"},
-        Code::kNewerVersion,
-        fmt::format("this recording is of version {}, and this plsc "
-                    "reads version {}",
-                    version, kRecordingVersion),
-        "use a newer plsc");
-  return reader.errors().empty();
 }
 
 }  // namespace
@@ -367,7 +339,9 @@ Result<Recording> ParseRecording(const Source& source) {
   Recording recording;
   if (!root.json.is_object())
     reader.Wrong(root, "an object");
-  else if (IsOfThisVersion(reader, root) && reader.IsObject(root, kKnown)) {
+  else if (reader.IsReadable(root, "plsc_recording", kRecordingVersion,
+                             "recording") &&
+           reader.IsObject(root, kKnown)) {
     recording.name = reader.Text(root, "name");
     recording.genotype = reader.Text(root, "genotype");
     recording.scenario = reader.Text(root, "scenario");

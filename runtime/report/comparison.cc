@@ -128,9 +128,12 @@ std::vector<CensusCurves> CensusCurvesOf(const StudyReport& report,
             std::vector<double> values;
             for (const std::size_t run : one.runs) {
               const auto& of = report.runs[run].reading.population.censuses;
-              if (generation < of.size())
-                values.push_back(
-                    part.of(of[generation], one.experiment.population));
+              if (generation >= of.size()) continue;
+              // A digest has not all of them.
+              values.push_back(
+                  of[generation].genotypes == 0
+                      ? std::numeric_limits<double>::quiet_NaN()
+                      : part.of(of[generation], one.experiment.population));
             }
             return values;
           },

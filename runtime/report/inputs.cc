@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <map>
 #include <system_error>
 #include <utility>
 
@@ -36,17 +39,26 @@ std::string NameOf(const fs::path& folder) {
   return Cleaned(Canonical(folder.string())).filename().string();
 }
 
+StudyClaims ClaimsOf(const std::string& title,
+                     Expected<ClaimsRecord, Failure> record) {
+  if (!record) return {title, {}, record.error().text};
+  return {title, std::move(*record), ""};
+}
+
 /// The runs of a study, or of one of its experiments.
 Inputs RunsOfStudy(const std::string& folder, const std::string& only) {
   const Expected<Study, Failure> study = StudyIn(folder);
   if (!study) return study.error();
   ReportInputs inputs;
   inputs.title = study->name.empty() ? NameOf(folder) : study->name;
+  if (only.empty())
+    inputs.claims.push_back(ClaimsOf(inputs.title, ClaimsIn(folder)));
   for (const StudyRun& run : RunsOf(*study)) {
     const std::string& experiment = study->experiments[run.experiment].name;
     if (!only.empty() && experiment != only) continue;
     inputs.runs.push_back({RunPath(folder, *study, run), RunName(*study, run),
                            experiment, ExperimentOf(*study, run)});
+    if (only.empty()) inputs.runs.back().study = 0;
   }
   return inputs;
 }
@@ -73,6 +85,14 @@ Inputs RunsInFolder(const std::string& folder) {
   return inputs;
 }
 
+/// "paper.json:7:13: expected a number for 'cpu_seconds', found null"
+std::string FirstErrorOf(const std::vector<Diagnostic>& errors,
+                         const Source& source) {
+  const Position place = source.PositionOf(errors.front().span.begin);
+  return fmt::format("{}:{}:{}: {}", source.name(), place.line, place.column,
+                     errors.front().message);
+}
+
 bool HasStudy(const fs::path& folder) {
   std::error_code error;
   return fs::exists(folder / kStudyFile, error);
@@ -96,6 +116,40 @@ Inputs RunOfFile(const std::string& path) {
   return ReportInputs{name, {{path, name, "", {}}}};
 }
 
+/// The text of a digest; nothing if the file is something else.
+std::optional<std::string> DigestText(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::string begin(kDigestMark.size(), '\0');
+  if (!file.read(begin.data(), static_cast<std::streamsize>(begin.size())) ||
+      begin != kDigestMark)
+    return std::nullopt;
+  return begin + std::string(std::istreambuf_iterator<char>(file), {});
+}
+
+/// All runs of its study: those that it lacks are missing.
+Inputs RunsOfDigest(const std::string& path, std::string text) {
+  const Source source(path, std::move(text));
+  Result<Digest> parsed = ParseDigest(source);
+  if (!parsed) return Failure(FirstErrorOf(parsed.diagnostics(), source));
+  const auto digest = std::make_shared<const Digest>(std::move(*parsed));
+  const Study& study = digest->study;
+  ReportInputs inputs;
+  inputs.title =
+      study.name.empty() ? fs::path(path).filename().string() : study.name;
+  inputs.claims.push_back(
+      ClaimsOf(inputs.title, ParseClaimsRecord(digest->claims, path)));
+  auto next = digest->runs.begin();
+  for (const StudyRun& run : RunsOf(study)) {
+    ReportInput& input = inputs.runs.emplace_back(
+        ReportInput{path + "#" + RunName(study, run), RunName(study, run),
+                    study.experiments[run.experiment].name,
+                    ExperimentOf(study, run), digest});
+    input.study = 0;
+    if (next != digest->runs.end() && next->run == run) input.kept = &*next++;
+  }
+  return inputs;
+}
+
 Inputs RunsAt(const std::string& path) {
   std::error_code error;
   if (!fs::exists(path, error))
@@ -107,6 +161,8 @@ Inputs RunsAt(const std::string& path) {
       return Failure(fmt::format(
           "'{}' is no run; name the folder that 'plsc study run' filled",
           path));
+    if (std::optional<std::string> text = DigestText(path))
+      return RunsOfDigest(path, std::move(*text));
     return RunOfFile(path);
   }
   const fs::path folder = Cleaned(path);
@@ -120,23 +176,84 @@ Inputs RunsAt(const std::string& path) {
   return RunsInFolder(folder.string());
 }
 
+/// The same run by a digest and by a store, or by two digests.
+bool IsSameRun(const ReportInput& one, const ReportInput& other) {
+  return (one.digest || other.digest) && one.label == other.label &&
+         one.expected && other.expected && *one.expected == *other.expected;
+}
+
+/// Whether the one record goes on where the other ends, or is the same.
+bool GoesOnFrom(const ClaimsRecord& record, const ClaimsRecord& before) {
+  return !before.empty() && before.size() <= record.size() &&
+         std::equal(before.begin(), before.end(), record.begin(),
+                    [](const ClaimsVersion& a, const ClaimsVersion& b) {
+                      return a.hash == b.hash && a.stated == b.stated;
+                    });
+}
+
+/// A study that a folder and a digest both have, or two digests, claims once.
+/// Its index.
+std::size_t AddClaims(StudyClaims claims, ReportInputs& all) {
+  for (std::size_t i = 0; i < all.claims.size(); ++i) {
+    StudyClaims& there = all.claims[i];
+    if (there.study != claims.study) continue;
+    if (GoesOnFrom(there.record, claims.record)) return i;
+    if (GoesOnFrom(claims.record, there.record)) {
+      there = std::move(claims);
+      return i;
+    }
+  }
+  all.claims.push_back(std::move(claims));
+  return all.claims.size() - 1;
+}
+
+bool HasResults(const ReportInput& run) {
+  std::error_code error;
+  return run.digest ? run.kept != nullptr : fs::exists(run.path, error);
+}
+
 }  // namespace
+
+bool HasDigests(const ReportInputs& inputs) {
+  return std::any_of(
+      inputs.runs.begin(), inputs.runs.end(),
+      [](const ReportInput& run) { return run.digest != nullptr; });
+}
 
 Inputs FindRuns(const std::vector<std::string>& paths) {
   ReportInputs all;
-  std::vector<std::string> seen;
+  std::map<std::string, std::size_t> seen;  // index of the run
   for (const std::string& path : paths) {
     // Beside runs as a shell names them: *.sqlite.
     if (IsRelivedFile(path) && paths.size() > 1) continue;
     Inputs found = RunsAt(path);
     if (!found) return found;
+    const bool has_digests = HasDigests(all) || HasDigests(*found);
     all.title += (all.title.empty() ? "" : ", ") + found->title;
+    std::vector<std::size_t> studies;
+    for (StudyClaims& claims : found->claims)
+      studies.push_back(AddClaims(std::move(claims), all));
     for (ReportInput& run : found->runs) {
-      std::string canonical = Canonical(run.path);
-      if (std::find(seen.begin(), seen.end(), canonical) != seen.end())
+      if (run.study) run.study = studies[*run.study];
+      const auto [place, is_new] =
+          seen.emplace(Canonical(run.path), all.runs.size());
+      if (!is_new) {
+        // Named alone before its study was named whole.
+        ReportInput& there = all.runs[place->second];
+        if (!there.study) there.study = run.study;
         continue;
-      seen.push_back(std::move(canonical));
-      all.runs.push_back(std::move(run));
+      }
+      const auto same = has_digests
+                            ? std::find_if(all.runs.begin(), all.runs.end(),
+                                           [&](const ReportInput& one) {
+                                             return IsSameRun(one, run);
+                                           })
+                            : all.runs.end();
+      place->second = static_cast<std::size_t>(same - all.runs.begin());
+      if (same == all.runs.end())
+        all.runs.push_back(std::move(run));
+      else if (!HasResults(*same))
+        *same = std::move(run);
     }
   }
   if (all.runs.empty())

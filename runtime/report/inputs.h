@@ -1,8 +1,10 @@
 #pragma once
 
 // Which runs a report is of: the folders and files that a user names, each
-// with the experiment that it repeats.
+// with the experiment that it repeats. Stores are read later; the runs of a
+// digest, which is one file, are read here.
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,6 +12,8 @@
 #include "grammar/expected.h"
 #include "grammar/failure.h"
 #include "runtime/evolve/experiment.h"
+#include "runtime/report/digest.h"
+#include "runtime/study/claims_record.h"
 
 namespace plsc {
 
@@ -20,16 +24,32 @@ struct ReportInput {
   /// differ in names and seeds only.
   std::string experiment;
   std::optional<Experiment> expected;  ///< the study's
+  /// Of a digest, whose runs have no store; nothing if it lacks the run.
+  std::shared_ptr<const Digest> digest = nullptr;
+  const DigestRun* kept = nullptr;  ///< in the digest
+  /// Index into ReportInputs::claims, if the whole study was named.
+  std::optional<std::size_t> study{};
+};
+
+/// What a study that was named claims.
+struct StudyClaims {
+  std::string study;  ///< its title
+  ClaimsRecord record;
+  std::string problem;  ///< why the record cannot be read
 };
 
 struct ReportInputs {
   std::string title;  ///< the study's name, or that of the only path
   std::vector<ReportInput> runs;
+  std::vector<StudyClaims> claims{};
 };
 
+/// Whether a run is of a digest, which has no stores to look into.
+bool HasDigests(const ReportInputs& inputs);
+
 /// Paths are folders of studies, folders of one of their experiments, folders
-/// of runs (*.sqlite), and runs. A run that several of them name is there once,
-/// and files of relived lives are left out.
+/// of runs (*.sqlite), runs, and digests of studies. A run that several of them
+/// name is there once, and files of relived lives are left out.
 Expected<ReportInputs, Failure> FindRuns(const std::vector<std::string>& paths);
 
 }  // namespace plsc

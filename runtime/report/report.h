@@ -39,14 +39,17 @@ struct ReportExperiment {
 
 struct StudyReport {
   std::string title;
-  std::vector<ReportMeasure> measures;
+  std::vector<StudyClaims> claims;  ///< of the studies that were named whole
+  std::vector<ReportMeasure> measures;  ///< those of claims included
   std::vector<ReportRun> runs;  ///< in the order in which they were named
   std::vector<ReportExperiment> experiments;
   std::vector<std::string> seasons;  ///< that charts are made for
   /// That experiments are compared at: the last one that a run of every
   /// experiment which has begun has completed; -1 if there is none.
   int generation = -1;
-  bool is_single = false;    ///< one run: curves are of its population
+  bool is_single = false;  ///< one run: curves are of its population
+  /// Some runs are of a digest: there are numbers of some generations only.
+  bool is_thinned = false;
   bool is_verified = false;  ///< every row was compared with its checksum
   /// That makes relived lives of all runs; empty: not known.
   std::string relive_command;

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "grammar/suggest.h"
 #include "runtime/text/json_place.h"
@@ -142,6 +143,30 @@ std::int64_t JsonReader::Integer(const JsonValue& object, std::string_view key,
   const nlohmann::json* member = Member(object, key);
   if (member == nullptr) return low;
   return Integer(JsonValue{*member, &object, std::string(key)}, low, high);
+}
+
+bool JsonReader::IsReadable(const JsonValue& root, std::string_view key,
+                            int newest, std::string_view what) {
+  const std::int64_t version =
+      Integer(root, key, 1, std::numeric_limits<int>::max());
+  if (version > newest)
+    With(root, key, [&](const JsonValue& value) {
+      Error(value, Code::kNewerVersion,
+            fmt::format("this {} is of version {}, and this plsc reads version "
+                        "{}",
+                        what, version, newest),
+            "use a newer plsc");
+    });
+  return errors().empty();
+}
+
+std::optional<double> JsonReader::NumberIfAny(const JsonValue& object,
+                                              std::string_view key) {
+  std::optional<double> number;
+  With(object, key, [&](const JsonValue& value) {
+    if (!value.json.is_null()) number = Number(value);
+  });
+  return number;
 }
 
 }  // namespace plsc

@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -42,6 +43,22 @@ class JsonReader {
   double Number(const JsonValue& object, std::string_view key);
   std::int64_t Integer(const JsonValue& object, std::string_view key,
                        std::int64_t low, std::int64_t high);
+
+  /// Whether the version of a file's format, under `key`, is at most `newest`:
+  /// a newer file is refused with one message, not one for every new key.
+  /// `what` is the file: "recording".
+  bool IsReadable(const JsonValue& root, std::string_view key, int newest,
+                  std::string_view what);
+  /// Nothing for null.
+  std::optional<double> NumberIfAny(const JsonValue& object,
+                                    std::string_view key);
+
+  /// Calls `read` with the member, or reports that it is missing.
+  template <typename Read>
+  void With(const JsonValue& object, std::string_view key, Read read) {
+    if (const nlohmann::json* member = Member(object, key))
+      read(JsonValue{*member, &object, std::string(key)});
+  }
 
   /// Calls `read` with every element of a list.
   template <typename Read>

@@ -24,6 +24,7 @@ enum class Purpose : std::uint64_t {
   /// Of a life: the two numbers between are of a name (evolve/trials).
   kDisturb = 5,
   kRelive = 6,
+  kBootstrap = 7,  ///< of a claim's interval, in a report
 };
 
 struct StreamKey {

@@ -27,16 +27,15 @@ Registry RegistryOf() {
 }  // namespace
 
 const Registry& Commands() {
-  static const Registry all =
-      RegistryOf<CheckCommand, ExplainCommand, ExportCommand, FixCommand,
-                 FmtCommand, DevelopCommand, DiffCommand, DrawCommand,
-                 LintCommand, MergeCommand, LspCommand, RegulateCommand,
-                 SimulateCommand, EvaluateCommand, EvolveCommand, ShowCommand,
-                 ReplayCommand, ReliveCommand, StudyListCommand,
-                 StudyRunCommand, StudyStatusCommand, ViewCommand,
-                 ReportCommand, WhyCommand, TestCommand, RandomCommand,
-                 ImportCommand, MutateCommand, CrossCommand, TrimCommand,
-                 StatsCommand, HashCommand, CompletionCommand, ManCommand>();
+  static const Registry all = RegistryOf<
+      CheckCommand, ExplainCommand, ExportCommand, FixCommand, FmtCommand,
+      DevelopCommand, DiffCommand, DrawCommand, LintCommand, MergeCommand,
+      LspCommand, RegulateCommand, SimulateCommand, EvaluateCommand,
+      EvolveCommand, ShowCommand, ReplayCommand, ReliveCommand,
+      StudyListCommand, StudyRunCommand, StudyStatusCommand, StudyDigestCommand,
+      ViewCommand, ReportCommand, WhyCommand, TestCommand, RandomCommand,
+      ImportCommand, MutateCommand, CrossCommand, TrimCommand, StatsCommand,
+      HashCommand, CompletionCommand, ManCommand>();
   return all;
 }
 

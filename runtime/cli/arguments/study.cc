@@ -104,4 +104,40 @@ void Add(Options& options, StudyStatusCommand& command) {
       "Exit status: 0 fine, 1 a run, or what was claimed, is damaged.");
 }
 
+void Add(Options& options, StudyDigestCommand& command) {
+  AddToStudy(options, "digest",
+             "Keep what a study's report needs in one small text");
+  options.Add("FOLDER", command.folder, "the study's folder").Required();
+  options
+      .Add("-o,--output", command.output,
+           "the digest; one that is there, of the same study, keeps its runs "
+           "and takes those that are new")
+      .Required()
+      .ValueName("FILE");
+  AddForce(options, command.force);
+  options
+      .Add("--measures", command.measures,
+           "what is kept of robots: paper (default), all, or names of "
+           "descriptors with commas between them; of a digest that is there "
+           "what it has")
+      .ValueName("paper|all|NAME,...");
+  options
+      .Add("--every", command.every,
+           "generations between those that are kept (default: 10); the last "
+           "always is")
+      .Range(1, 1000000)
+      .ValueName("N");
+  options.Flag("--quiet", command.quiet, "no summary; only what is wrong");
+  options.Footer(
+      "Stores of a large study are gigabytes; its digest is some 7 KB a run, "
+      "a line each,\nand can be committed beside a paper: 'plsc report FILE' "
+      "makes the figures and tests\nof it again. Each line has the seed, the "
+      "version, the command that makes the store\nanew, and the best robot's "
+      "genotype. Only runs that are done are kept; those of\nother folders of "
+      "the same study, or of later days, join them.\n\n"
+      "  plsc study digest paper -o paper.digest.json\n"
+      "  plsc report paper.digest.json -o report.html\n\n"
+      "Exit status: 0 fine, 1 a run is damaged or is left out.");
+}
+
 }  // namespace plsc::cli

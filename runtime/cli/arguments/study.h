@@ -43,4 +43,15 @@ struct StudyStatusCommand {
 void Add(Options& options, StudyStatusCommand& command);
 Exit Run(const StudyStatusCommand& command, Io& io);
 
+struct StudyDigestCommand {
+  std::string folder;
+  std::string output;    ///< a digest, which takes what is new
+  std::string measures;  ///< as ReportCommand's; empty: as the digest has them
+  bool force = false;
+  std::optional<int> every;  ///< generations; nothing: as the digest has it
+  bool quiet = false;
+};
+void Add(Options& options, StudyDigestCommand& command);
+Exit Run(const StudyDigestCommand& command, Io& io);
+
 }  // namespace plsc::cli

@@ -11,6 +11,7 @@
 #include "runtime/cli/files/file_kind.h"
 #include "runtime/compare/golden_json.h"
 #include "runtime/recording/recording_json.h"
+#include "runtime/report/digest.h"
 
 namespace plsc::cli {
 
@@ -88,6 +89,13 @@ std::string ContentsOf(const Recording& recording) {
       Plural(static_cast<std::int64_t>(recording.seasons.size()), "season"));
 }
 
+std::string ContentsOf(const Digest& digest) {
+  return fmt::format(
+      "digest of {} of {}, {}",
+      Plural(static_cast<std::int64_t>(digest.runs.size()), "run"),
+      RunsOf(digest.study).size(), ContentsOf(digest.study));
+}
+
 template <typename T>
 void Take(const std::optional<T>& read, const Source& source,
           FileCheck& check) {
@@ -150,6 +158,9 @@ FileCheck CheckFile(const Source& source, const CheckCommand& command, Io& io) {
       break;
     case FileKind::kRecording:
       Take(ParseRecording(source), source, check);
+      break;
+    case FileKind::kDigest:
+      Take(ParseDigest(source), source, check);
       break;
     case FileKind::kStore:
       RefuseStore(source, check);

@@ -85,6 +85,11 @@ Exit Run(const ReliveCommand& command, Io& io) {
   request.is_engine_checked = command.engine_check;
   const Expected<ReportInputs, Failure> inputs = FindRuns(command.paths);
   if (!inputs) return Complain(inputs.error(), io);
+  if (HasDigests(*inputs))
+    return Complain(
+        "runs of a digest have no stores, whose robots could live again; name "
+        "the study's folder",
+        io);
   const std::vector<ReportInput> runs = BegunRuns(*inputs);
   if (runs.empty()) return Complain("none of these runs is begun yet", io);
   const InterruptHandler handler;

@@ -56,6 +56,8 @@ FileKind KindOfJson(std::string_view text) {
   };
   if (has("\"plsc_golden\"")) return FileKind::kGolden;
   if (has("\"plsc_recording\"")) return FileKind::kRecording;
+  // Holds a study as text.
+  if (has("\"plsc_digest\"")) return FileKind::kDigest;
   // YAML may be written in braces.
   if (has("plsc_study")) return FileKind::kStudy;
   if (has("plsc_experiment")) return FileKind::kExperiment;

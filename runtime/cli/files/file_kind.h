@@ -15,7 +15,8 @@ enum class FileKind : std::uint8_t {
   kStudy,
   kGolden,
   kRecording,
-  kStore,  ///< an SQLite database
+  kDigest,  ///< of a study
+  kStore,   ///< an SQLite database
 };
 
 FileKind KindOf(std::string_view text);

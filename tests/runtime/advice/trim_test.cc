@@ -11,6 +11,7 @@
 #include "runtime/vary/mutate.h"
 #include "tests/runtime/develop/compile_text.h"
 #include "tests/runtime/develop/reference_cases.h"
+#include "tests/sanitizer.h"
 
 namespace plsc {
 namespace {
@@ -149,7 +150,7 @@ TEST_CASE("Random genotypes stay what they are where they live", "[trim]") {
   GenotypeOptions drawn;
   drawn.states.push_back({"hot", StateType::kBool, 0, 0, {}});
   std::size_t more = 0;
-  for (std::uint64_t i = 0; i < 12; ++i) {
+  for (std::uint64_t i = 0; i < test::Sampled(12U); ++i) {
     INFO("seed " << kSeed << ", genotype " << i);
     Rng rng({kSeed, 0, i, Purpose::kInitialise});
     Genotype genotype = Initialise(drawn, rng);
@@ -257,7 +258,7 @@ TEST_CASE("Own alphabets keep their string", "[trim]") {
 // Every phenotype of the authors' cases, developed anew from the text.
 void CheckSampleSet(const std::string& set, std::size_t step) {
   const auto cases = test::ReadReferenceCases(set);
-  for (std::size_t i = 0; i < cases.size(); i += step) {
+  for (std::size_t i = 0; i < cases.size(); i += step * test::kSparser) {
     const std::string text = test::GenotypeText(cases[i]);
     const Genotype before = test::CompileText(text).genotype;
     const auto trimmed = Trim(Source("test", text));

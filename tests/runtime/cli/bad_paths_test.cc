@@ -69,6 +69,7 @@ const std::vector<std::string> kLines = {
     "study run STUDY:study.yaml -o --output:new --cache --cache:new.cache "
     "--quiet",
     "study status FOLDER:study --format json",
+    "study digest FOLDER:study -o --output:new.json --quiet",
     "view INPUT:r.pls --scenario --scenario:s.yaml -o --output:new.html",
     "view --explain INPUT:run.sqlite -o --output:new.html",
     "report STUDY|RUN:run.sqlite -o --output:new.html",

@@ -41,6 +41,10 @@ struct Writer {
 constexpr const char* kOneSeason =
     "seasons:\n  - {name: flat, terrain: flat, duration: 1 s, senses: "
     "{inclined: False}}\n";
+constexpr const char* kOneRunStudy =
+    "plsc_study: 1\nrepetitions: 1\nbase: {profile: swift, population: 2, "
+    "offspring: 1, generations: 1, scenario: {seasons: [{duration: 1 s}]}}\n"
+    "experiments: {one: {encoding: baseline}}\n";
 constexpr const char* kRevolveText =
     "{<Alphabet.CORE_COMPONENT: 'C'>: [[[['hill', '==', True]], "
     "[[<Alphabet.CORE_COMPONENT: 'C'>, []]]]]}";
@@ -50,8 +54,12 @@ class Outputs {
   Outputs()
       : robot_(folder_.Write("robot.pls", test::kPlasticText)),
         scenario_(folder_.Write("s.yaml", kOneSeason)),
-        run_(test::FinishedRun().path()) {
+        run_(test::FinishedRun().path()),
+        study_(folder_ / "study") {
     folder_.Write("old.txt", kRevolveText);
+    REQUIRE(RunPlsc({"study", "run", folder_.Write("study.yaml", kOneRunStudy),
+                     "-o", study_, "--quiet"})
+                .exit == 0);
     REQUIRE(RunPlsc({"test", robot_, "--update"}).exit == 0);
   }
 
@@ -93,6 +101,7 @@ class Outputs {
         {"test json", with({"test", robot_, "-o", "@"}, json), "a.json"},
         {"junit", {"test", robot_, "-o", "@", "--format", "junit"}, "a.xml"},
         {"report", {"report", run_, "--format", "json", "-o", "@"}, "a.json"},
+        {"digest", {"study", "digest", study_, "-o", "@"}, "a.json"},
         {"robot",
          {"export", robot_, "--to", "urdf", "--env", "flat", "-o", "@"},
          "a.urdf",
@@ -137,6 +146,7 @@ class Outputs {
   std::string robot_;
   std::string scenario_;
   std::string run_;
+  std::string study_;
   int folders_ = 0;
 };
 
@@ -282,7 +292,8 @@ TEST_CASE("Every command that writes can be forced, and is tested",
   Outputs world;
   std::set<std::string> tested = {"view"};  // without pages, too
   for (const Writer& writer : world.Writers())
-    tested.insert(writer.words.front());
+    tested.insert(writer.words.front() == "study" ? "study " + writer.words[1]
+                                                  : writer.words.front());
   // Their outputs are stores, which nothing replaces.
   const std::set<std::string> makes_stores = {"evolve", "study run"};
   const cli::CommandDescription root = cli::DescribeCommandLine();

@@ -9,6 +9,7 @@
 #include "compiler/print.h"
 #include "compiler/verify.h"
 #include "tests/runtime/vary/chi_square.h"
+#include "tests/sanitizer.h"
 
 namespace plsc {
 
@@ -47,7 +48,8 @@ TEST_CASE("Ten thousand mutants pass Verify, and print as they are",
     std::vector<Individual> population = Population(experiment);
     const std::vector<int> counts(population.size(), 0);
     int id = experiment.population;
-    for (int generation = 1; generation <= 250; ++generation) {
+    const int generations = test::Sampled(250);
+    for (int generation = 1; generation <= generations; ++generation) {
       std::vector<Individual> children;
       for (std::size_t i = 0; i < population.size(); ++i)
         children.push_back(
@@ -63,7 +65,7 @@ TEST_CASE("Ten thousand mutants pass Verify, and print as they are",
       }
       population = std::move(children);
     }
-    CHECK(id == 20 + 250 * 20);
+    CHECK(id == 20 + generations * 20);
   }
 }
 

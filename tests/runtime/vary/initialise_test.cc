@@ -7,6 +7,7 @@
 #include <string>
 
 #include "tests/runtime/vary/chi_square.h"
+#include "tests/sanitizer.h"
 
 namespace plsc {
 
@@ -15,7 +16,7 @@ namespace {
 using test::kSignificance;
 using test::PValue;
 
-constexpr int kGenotypes = 20000;
+constexpr int kGenotypes = test::Sampled(20000);
 
 Genotype Sample(const GenotypeOptions& options, std::uint64_t id) {
   Rng rng({9001, 0, id, Purpose::kInitialise});

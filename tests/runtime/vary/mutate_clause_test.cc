@@ -8,6 +8,7 @@
 
 #include "runtime/vary/mutate.h"
 #include "tests/runtime/vary/chi_square.h"
+#include "tests/sanitizer.h"
 
 namespace plsc {
 
@@ -16,7 +17,7 @@ namespace {
 using test::kSignificance;
 using test::PValue;
 
-constexpr int kClauseSamples = 20000;
+constexpr int kClauseSamples = test::Sampled(20000);
 
 const State kInclined = {"inclined", StateType::kBool, 0, 0, {}};
 const State kHot = {"hot", StateType::kBool, 0, 0, {}};

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "tests/runtime/vary/chi_square.h"
+#include "tests/sanitizer.h"
 
 namespace plsc {
 
@@ -15,7 +16,7 @@ namespace {
 using test::kSignificance;
 using test::PValue;
 
-constexpr int kMutations = 20000;
+constexpr int kMutations = test::Sampled(20000);
 
 /// A rule whose symbols all differ: T(0.00), T(0.01), ...; of C with C first.
 Rule Numbered(SymbolId head, std::size_t length) {

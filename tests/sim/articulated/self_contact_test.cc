@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "sim/articulated/collider.h"
+#include "tests/sanitizer.h"
 #include "tests/sim/articulated/driven.h"
 
 namespace plsc::articulated {
@@ -126,7 +127,7 @@ void CheckLives(int robots, int steps) {
 }
 
 TEST_CASE("No pair of links that meets is left out", "[self_contact]") {
-  CheckLives(10, 700);
+  CheckLives(PLSC_HAS_ASAN ? 3 : 10, 700);
 }
 
 TEST_CASE("No pair of links that meets is left out of long lives",

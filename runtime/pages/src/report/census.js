@@ -20,6 +20,7 @@ export function censusFigure(data, styles, { section, curves, part, inRow }) {
     title: part.title,
     yLabel: part.yLabel,
     columns: { part: part.name },
+    isThinned: data.thinned,
     domain: part.isShare ? [0, 100] : [0, most],
     isShare: part.isShare,
     generations: [0, Math.max(1, ...lines.map(({ median }) => median.length - 1))],

@@ -23,8 +23,10 @@ export function widthInRow(count) {
 const pointsOf = (line) =>
   line.median.map((median, generation) => ({ generation, median, low: line.low[generation], high: line.high[generation], runs: line.counts[generation] }));
 
-function marksOf(line) {
-  const points = pointsOf(line);
+// `isThinned`: between generations that were kept there is nothing to show, and
+// lines go on.
+function marksOf(line, isThinned) {
+  const points = pointsOf(line).filter(({ median }) => !isThinned || median !== null);
   const { colour, dash, width: strokeWidth } = line.style;
   const band = Plot.areaY(points, { x: "generation", y1: "low", y2: "high", fill: colour, fillOpacity: 0.16, curve: "linear" });
   const curve = Plot.line(points, { x: "generation", y: "median", stroke: colour, strokeWidth, strokeDasharray: dash ?? undefined });
@@ -33,7 +35,7 @@ function marksOf(line) {
   return [line.hasBand ? [band] : [], curve, dot].flat();
 }
 
-// `chart`: {title, yLabel, domain, lines, caption, name, isShare, width}.
+// `chart`: {title, yLabel, domain, lines, caption, name, isShare, isThinned, width}.
 export function curvesFigure(chart) {
   const { width = usualWidth } = chart;
   const entries = chart.lines.map((line) => ({ text: line.name, ...line.style }));
@@ -55,7 +57,7 @@ export function curvesFigure(chart) {
     style: { fontSize: "11px", fontFamily: "system-ui, 'DejaVu Sans', sans-serif", color: "#1b1b1b" },
     marks: [
       axisTitle(chart.yLabel, left),
-      chart.lines.map(marksOf),
+      chart.lines.map((line) => marksOf(line, chart.isThinned)),
       Plot.tip(tips, Plot.pointer({ x: "generation", y: "median", title: "text", fontSize: 11 })),
     ],
   });

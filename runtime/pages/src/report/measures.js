@@ -80,7 +80,7 @@ function chartsOf(data, styles, index, of, told = "recorded") {
     }));
     if (lines.length)
       figures.curves.push(
-        curvesFigure({ ...common, title: `${title} over generations, ${season}`, name: fileName(title, season, "curves"), domain: curveDomain, generations, lines: [...lines, ...robots], width, isSingle: data.single, caption: curveCaption(data, season, lines, of) }),
+        curvesFigure({ ...common, title: `${title} over generations, ${season}`, name: fileName(title, season, "curves"), domain: curveDomain, generations, lines: [...lines, ...robots], width, isSingle: data.single, isThinned: data.thinned, caption: curveCaption(data, season, lines, of) }),
       );
     const named = finals.filter(here).map((one) => ({
       ...one,

@@ -3,6 +3,8 @@
 
 #include "tests/runtime/cli/run_plsc.h"
 
+#include "tests/sanitizer.h"
+
 namespace plsc {
 namespace {
 
@@ -24,7 +26,7 @@ TEST_CASE("a random genotype is correct and canonical", "[random]") {
       {"--max-groups", "1"},
   };
   for (const auto& options : settings)
-    for (int seed = 0; seed < 20; ++seed) {
+    for (int seed = 0; seed < test::Sampled(20); ++seed) {
       std::vector<std::string> arguments{"random", "--seed",
                                          std::to_string(seed)};
       arguments.insert(arguments.end(), options.begin(), options.end());
