@@ -118,4 +118,21 @@ std::string PrintTrials(const TrialOptions& options) {
   return text + fmt::format("noise: {{{}}}\n", fmt::join(noise, ", "));
 }
 
+std::string DescribeTrials(const TrialOptions& options) {
+  std::vector<std::string> parts;
+  if (options.count > 1)
+    parts.push_back(fmt::format("{} trials a robot (fitness: {})",
+                                options.count, PrintFitness(options.quantile)));
+  if (options.own_lives) parts.emplace_back("own lives");
+  std::vector<std::string> noise;
+  for (const NoiseKey& key : NoiseKeys())
+    if (options.noise.*key.field > 0)
+      noise.push_back(fmt::format(
+          "{} {}", key.name,
+          PrintQuantity(options.noise.*key.field, key.quantity.dimension)));
+  if (!noise.empty())
+    parts.push_back(fmt::format("noise: {}", fmt::join(noise, ", ")));
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
+
 }  // namespace plsc

@@ -13,6 +13,7 @@
 #include "runtime/report/report_relived_json.h"
 #include "runtime/report/rounded_json.h"
 #include "runtime/scenario/scenario_terrain.h"
+#include "runtime/evolve/trials_yaml.h"
 #include "runtime/store/schema.h"
 #include "runtime/text/json_dump.h"
 #include "runtime/text/quantity.h"
@@ -58,6 +59,7 @@ Json ExperimentJson(const StudyReport& report, const ReportExperiment& one) {
   json["population"] = one.experiment.population;
   json["offspring"] = one.experiment.offspring;
   json["generations"] = one.experiment.generations;
+  json["lives"] = TextOrNull(DescribeTrials(one.experiment.trials));
   json["seasons"] = Json::array();
   for (std::size_t i = 0; i < one.seasons.size(); ++i) {
     const Season& season = one.experiment.scenario.seasons[i];

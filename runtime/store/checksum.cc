@@ -92,7 +92,7 @@ Checksums::Checksums(Database& database)
                   "mutation, mutated_rule, senses, genotype.name, text "
                   "FROM individual JOIN genotype USING (id) WHERE id = ?"),
       evaluation_(database, EvaluationSql(SchemaOf(database))),
-      has_trials_(SchemaOf(database) >= 3),
+      has_trials_(SchemaOf(database) >= 4),
       trials_(database, has_trials_ ? TrialsSql(SchemaOf(database))
                                     : std::string("SELECT 1")),
       generation_(

@@ -8,6 +8,7 @@
 #include "runtime/store/census_json.h"
 #include "runtime/store/export.h"
 #include "runtime/store/heritage_json.h"
+#include "runtime/store/trials_json.h"
 #include "runtime/store/verify.h"
 #include "runtime/text/json_dump.h"
 
@@ -38,36 +39,9 @@ std::string RunLine(const RunStore& store) {
   return DumpJson(Json{{"run", run}}) + "\n";
 }
 
-Json TrialJson(const StoredTrial& trial) {
-  const Disturbance& disturbance = trial.disturbance;
-  const auto noise = [](const Noise& one) {
-    return Json{{"amplitude", one.amplitude},
-                {"seed", std::to_string(one.seed)}};
-  };
-  Json json;
-  json["fitness"] = trial.fitness ? Json(*trial.fitness) : Json(nullptr);
-  json["outcome"] = OutcomeName(trial.outcome);
-  json["reason"] = trial.reason;
-  json["lift"] = disturbance.lift;
-  json["shift"] = {disturbance.shift_x, disturbance.shift_y};
-  json["yaw"] = disturbance.yaw;
-  json["friction"] = disturbance.friction;
-  json["lean"] = disturbance.lean;
-  json["touch"] = noise(disturbance.touch);
-  json["motor"] = noise(disturbance.motor);
-  return json;
-}
-
-/// By season; nothing where there are none.
+/// Nothing where there are none.
 std::string TrialsText(const std::vector<std::vector<StoredTrial>>& trials) {
-  if (trials.empty()) return "";
-  Json json = Json::array();
-  for (const std::vector<StoredTrial>& season : trials) {
-    json.push_back(Json::array());
-    for (const StoredTrial& trial : season)
-      json.back().push_back(TrialJson(trial));
-  }
-  return ",\"trials\":" + DumpJson(json);
+  return trials.empty() ? "" : ",\"trials\":" + DumpJson(TrialsJson(trials));
 }
 
 std::string IndividualLine(

@@ -59,7 +59,7 @@ MaybeFailure Salvage::Open(const std::string& path) {
     }
     database.TakeFailure();  // then there is no experiment
   }
-  if (schema_ < kSchemaVersion) return std::nullopt;
+  if (!MissingMeasures(schema_).empty()) return std::nullopt;
   Statement evaluation(database,
                        "SELECT checksum FROM evaluation WHERE individual = ? "
                        "ORDER BY season");

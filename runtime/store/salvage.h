@@ -29,8 +29,8 @@ class Salvage : public SimulationCache {
   /// What the run is and who began it, if that can be trusted.
   const std::optional<Experiment>& experiment() const { return experiment_; }
   const Versions& versions() const { return versions_; }
-  /// Of the file (schema.h). Of an older one no simulation can be used: it
-  /// lacks MissingMeasures, and a run would have them where it simulated only.
+  /// Of the file (schema.h). Where one lacks MissingMeasures no simulation can
+  /// be used: a run would have them where it simulated only.
   int schema() const { return schema_; }
   /// Simulated seasons that can be used.
   std::size_t size() const { return known_.size(); }

@@ -295,7 +295,7 @@ std::vector<SchemaItem> MakeSchema(int version) {
   const auto members =
       std::find_if(items.begin(), items.end(),
                    [](const SchemaItem& one) { return one.name == "member"; });
-  if (version >= 3)
+  if (version >= 4)
     items.insert(members, table("trial", kTrial, "individual, season, number"));
   return items;
 }
@@ -304,7 +304,7 @@ std::vector<SchemaItem> MakeSchema(int version) {
 
 const std::vector<SchemaItem>& Schema(int version) {
   static const std::vector<SchemaItem> all[] = {MakeSchema(1), MakeSchema(2),
-                                                MakeSchema(3)};
+                                                MakeSchema(3), MakeSchema(4)};
   static_assert(std::size(all) == kSchemaVersion);
   assert(version >= kOldestSchema && version <= kSchemaVersion);
   return all[version - kOldestSchema];

@@ -2,7 +2,7 @@
 
 // The table `trial`: each life of a season that is lived several times, or
 // disturbed. Runs without trials and noise have none of these rows, nor do
-// stores before schema 3.
+// stores before schema 4.
 
 #include <optional>
 #include <string>
