@@ -58,11 +58,15 @@ constexpr EnumNames<Over, 3> kOverNames{
 std::optional<double> ReadFitness(const YamlValue& value) {
   if (value.is_map()) {
     YamlMap map = *value.Map("a quantile");
-    const auto quantile = map.Need("quantile", "write {quantile: 0.25}");
-    const Quantity share = {Dimension::kNumber, 0, 1, false, 0.25};
-    const double read = quantile ? quantile->Number(share).value_or(0) : 0;
+    const auto quantile = map.Find("quantile");
+    const std::size_t errors = map.place().error_count();
     map.Close();
-    return read;
+    const Quantity share = {Dimension::kNumber, 0, 1, false, 0.25};
+    if (quantile) return quantile->Number(share).value_or(0);
+    if (map.place().error_count() == errors)
+      value.Report(Code::kMissingKey, "expected the key 'quantile' here",
+                   "write {quantile: 0.25}, or mean, median or min");
+    return std::nullopt;
   }
   switch (value.Choice(kOverNames).value_or(Over::kMean)) {
     case Over::kMean:
@@ -101,7 +105,8 @@ TrialOptions ReadTrials(YamlMap& map) {
                   fmt::format("without noise all {} trials of a robot are the "
                               "same life",
                               options.count),
-                  "write 'noise: {start_height: 30 um}', or 'trials: 1'");
+                  "say what differs, as in 'noise: {start_height: 30 um}', or "
+                  "leave out 'trials'");
   return options;
 }
 

@@ -7,13 +7,13 @@
 #include <utility>
 
 #include "runtime/develop/environment_json.h"
+#include "runtime/evolve/trials_yaml.h"
 #include "runtime/report/claims_json.h"
 #include "runtime/report/comparison.h"
 #include "runtime/report/experiment_difference.h"
 #include "runtime/report/report_relived_json.h"
 #include "runtime/report/rounded_json.h"
 #include "runtime/scenario/scenario_terrain.h"
-#include "runtime/evolve/trials_yaml.h"
 #include "runtime/store/schema.h"
 #include "runtime/text/json_dump.h"
 #include "runtime/text/quantity.h"

@@ -13,7 +13,7 @@ namespace plsc::cli {
 namespace {
 
 /// "lift 12.3 um, friction 93.1 %": only what was disturbed.
-std::string DisturbanceText(const Disturbance& one) {
+std::string HowDisturbed(const Disturbance& one) {
   constexpr double kDegrees = 180 / std::numbers::pi;
   std::string text;
   const auto add = [&](const std::string& part) {
@@ -38,7 +38,7 @@ std::string TrialLine(std::size_t number, const StoredTrial& trial) {
   const std::string came =
       trial.fitness ? fmt::format("{:8.3f} cm/s", kCentimetres * *trial.fitness)
                     : fmt::format("{:>8}     ", "none");
-  const std::string disturbed = DisturbanceText(trial.disturbance);
+  const std::string disturbed = HowDisturbed(trial.disturbance);
   std::string line = fmt::format("  {:>3} {}  {}", number, came, disturbed);
   if (trial.outcome != Outcome::kCompleted)
     line += fmt::format("{}{} ({})", disturbed.empty() ? "" : "; ",

@@ -170,8 +170,8 @@ TEST_CASE("a run of schema 3 lacks nothing but trials", "[older_run]") {
               "is a store of schema 3, and this program's have 4: it has no "
               "table of trials"));
   // Made again, of its own simulations: the same lives and the same end.
-  const auto again = RunPlsc({"evolve", "--salvage", run.path, "-o",
-                              run.folder / "new", "--quiet"});
+  const auto again = RunPlsc(
+      {"evolve", "--salvage", run.path, "-o", run.folder / "new", "--quiet"});
   INFO(again.err);
   CHECK(again.exit == 0);
   CHECK(Tells(again.err, " simulated seasons of '"));
