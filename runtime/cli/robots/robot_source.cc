@@ -89,7 +89,7 @@ Expected<RobotOfRun, Exit> FindInStore(const std::string& run,
     return Complain(*failure, io);
   const Expected<int, Failure> id = IdOf(store, individual);
   if (!id) return Complain(id.error(), io);
-  Expected<Individual, Failure> one = store.Find(*id);
+  Expected<Individual, Failure> one = store.FindFirstLife(*id);
   if (!one) return Complain(one.error(), io);
   return RobotOfRun{std::move(*one), store.experiment().scenario};
 }

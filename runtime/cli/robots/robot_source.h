@@ -40,7 +40,7 @@ struct RobotFound {
 /// robot lived to develop in.
 Expected<RobotFound, Exit> FindRobot(const RobotAsked& asked, Io& io);
 
-/// Somebody of a run, and how it lives there.
+/// Somebody of a run, and how it lives there: its first life of several.
 struct RobotOfRun {
   Individual individual;
   Scenario scenario;

@@ -5,21 +5,22 @@ import { menu } from "./menu.js";
 const stem = (name) => name.replace(/\.pls$/, "");
 
 // state(): {text, name, scenario, genotype, view}; `view` is the last life's, if any.
-export function downloadMenu(door, state, say) {
-  const picture = async () => {
-    const { text, name } = state();
-    const answer = await door.ask({ ask: "picture", text, name });
-    if (!answer.ok) return say(answer.error);
-    download(`${stem(name)}.svg`, "image/svg+xml", answer.body);
+export function downloadMenu(door, state, warn) {
+  const picture = async (what, suffix) => {
+    const { text, name, scenario, ...rest } = state();
+    const answer = await door.ask({ ask: "picture", text, name, scenario, ...(rest.genotype ? { genotype: rest.genotype } : {}) });
+    if (!answer.ok) return warn(answer.error);
+    download(`${stem(name)}${suffix}.svg`, "image/svg+xml", answer[what]);
   };
   const recording = () => {
     const { name, view } = state();
-    if (!view) return say("There is no life to take along yet.");
+    if (!view) return warn("There is no life to take along yet.");
     download(`${stem(name)}.rec.json`, "application/json", JSON.stringify(view.lives[0].recording));
   };
   const entries = [
     ["Genotype (.pls)", () => download(state().name, "text/plain", state().text)],
-    ["Drawing of the bodies (.svg)", picture],
+    ["Drawing of the bodies (.svg)", () => picture("body", "")],
+    ["Drawing of the brains (.svg)", () => picture("brain", "-brain")],
     ["Recording of the life (.rec.json)", recording],
   ];
   return menu("Download", entries);

@@ -26,9 +26,9 @@ export class Lab {
     const common = { text, name, ...(scenario ? { scenario } : {}), ...(genotype ? { genotype } : {}) };
     const robot = await this.door.ask({ ask: "explain", ...common });
     if (robot.ok) {
-      onRobot(robot.page);
+      onRobot(robot.explained);
       const life = await this.door.ask({ ask: "live", record: true, ...common });
-      if (life.ok) onLife(life, robot.page, input, performance.now() - begun);
+      if (life.ok) onLife(life, robot.explained, input, performance.now() - begun);
       else onWrong(life);
     } else {
       onWrong(robot);

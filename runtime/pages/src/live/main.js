@@ -32,6 +32,13 @@ const title = element("h1", {}, robot.name);
 const status = element("p", { class: "status", role: "status" });
 const wrong = element("p", { class: "wrong", role: "alert", hidden: true });
 
+// What must not be overlooked, until it is put away.
+const notice = element("p", { class: "notice", role: "alert", hidden: true });
+function warn(text) {
+  notice.hidden = false;
+  notice.replaceChildren(text, " ", element("button", { type: "button", onclick: () => (notice.hidden = true) }, "All right"));
+}
+
 function say(text, isWrong = false) {
   status.textContent = text;
   status.classList.toggle("bad", isWrong);
@@ -131,9 +138,10 @@ async function openLink() {
   try {
     const linked = await robotOfLink(location.hash);
     if (linked) open(linked);
+    notice.hidden = true;
     return linked !== null;
   } catch (error) {
-    say(error.message, true);
+    warn(`${error.message} This page shows a robot of its own instead.`);
     return false;
   }
 }
@@ -149,7 +157,7 @@ editor = new Editor(door, data.robot, {
   },
 });
 parameters = new Parameters(door, editor);
-const right = element("div", { class: "right" }, wrong, lives.object, changes.object, workings.object);
+const right = element("div", { class: "right" }, element("div", { class: "over" }, wrong), lives.object, changes.object, workings.object);
 document.body.append(
   element(
     "header",
@@ -163,9 +171,10 @@ document.body.append(
       panel("Scenario", scenario.object),
       element("button", { type: "button", onclick: () => editor.format(), title: "Shift-Alt-F" }, "Format"),
       element("button", { type: "button", onclick: share, title: "A link that holds this robot" }, "Link"),
-      downloadMenu(door, () => ({ ...robot, text: editor.text, view: last?.view }), say),
+      downloadMenu(door, () => ({ ...robot, text: editor.text, view: last?.view }), warn),
     ),
     status,
+    notice,
   ),
   element("main", {}, element("div", { class: "left" }, element("div", { class: "editor" }, editor.object), parameters.object), right),
   versions.object,

@@ -50,12 +50,12 @@ export class Parameters {
     const found = answer.ok ? answer.parameters?.[0] : null;
     if (!found) return this.#hide();
     const units = unitsOf(text);
-    this.#show(found, units(found.offset), units(found.offset + found.length));
+    this.#show(found, units(found.byte_begin), units(found.byte_end));
   }
 
-  #show({ name, value, lowest, highest, step }, from, to) {
+  #show({ name, about, value, from: lowest, to: highest, step }, from, to) {
     this.shown = { from, to, step };
-    this.label.textContent = name;
+    this.label.replaceChildren(name, " ", element("span", { class: "quiet" }, /```/.test(about) ? "" : about.split("\n")[0].replaceAll("`", "")));
     this.label.className = "";
     this.row.hidden = false;
     this.slider.min = lowest;

@@ -52,7 +52,7 @@ export class ScenarioPanel {
     return this.#check(yaml, false);
   }
 
-  // What robots can ask about: [{name, values}].
+  // What the robot asks about, as `check` has it: [{name, type, ...}].
   setStates(states) {
     const isSame = JSON.stringify(states) === JSON.stringify(this.states);
     this.states = states;
@@ -98,11 +98,11 @@ export class ScenarioPanel {
     );
   }
 
-  #sense(season, i, { name, values }) {
+  #sense(season, i, { name, type, values = ["False", "True"], low, high }) {
     const given = season.senses.get(name) ?? "";
     const change = (value) => this.#change((text) => text.setSense(i, name, value));
     const label = `${name} in ${season.name}`;
-    if (!Array.isArray(values)) return number(label, given, { step: "any" }, change);
+    if (type === "real") return number(label, given, { step: "any", min: low, max: high }, change);
     return select(label, [["", name === "inclined" ? "as felt" : "–"], ...values.map((one) => [one, one])], given, change);
   }
 

@@ -14,17 +14,19 @@ import { rulesView } from "../explain/rules.js";
 import { stringsView } from "../explain/strings.js";
 import { unitsOf } from "./language/places.js";
 
+const perEnvironment = (robot, view) => robot.environments.map((one) => element("div", { class: "environment" }, element("h4", {}, one.name), view(one)));
+
 // Sections that can be opened stay as they were, whatever the robot becomes.
 const sections = [
-  ["Brain", true, (robot) => robot.environments.map(brainView)],
+  ["Brain", true, (robot) => perEnvironment(robot, brainView)],
   ["Rules", false, (robot) => [rulesView(robot, () => null)]],
-  ["Late development", false, (robot) => robot.environments.map((one) => eventsView(robot, one))],
-  ["Rewritings", false, (robot) => robot.environments.map((one) => stringsView(robot, one))],
+  ["Late development", false, (robot) => perEnvironment(robot, (one) => eventsView(robot, one))],
+  ["Rewritings", false, (robot) => perEnvironment(robot, (one) => stringsView(robot, one))],
 ];
 
 export class Workings {
-  // onLit(ranges, origin): the places in the text of what is lit;
-  // origin is false where the text itself was pointed at.
+  // onLit(ranges, hasMoved): the places in the text of what is lit;
+  // hasMoved is false where the text itself was pointed at.
   constructor(onLit) {
     this.onLit = onLit;
     this.isByRule = false;
