@@ -76,6 +76,7 @@ void GenerationEvaluator::Plan(std::size_t robot) {
   open.trials = TrialsOf(plan_, planner_, one);
   open.lives.resize(open.trials.size());
   std::vector<std::vector<LifePiece>> pieces;
+  pieces.reserve(open.trials.size());
   for (std::size_t i = 0; i < open.trials.size(); ++i) {
     open.lives[i].resize(planner_.scenario().seasons.size());
     pieces.push_back(
@@ -174,6 +175,7 @@ EvaluatedLife GenerationEvaluator::Assemble(std::size_t robot) {
   const Individual& one = (*robots_)[robot];
   const OpenRobot& open = open_[robot];
   std::vector<EvaluatedLife> lives;
+  lives.reserve(open.trials.size());
   for (std::size_t i = 0; i < open.trials.size(); ++i)
     lives.push_back(planner_.Assemble(one.genotype, one.heritage.senses,
                                       open.lives[i], open.trials[i]));
