@@ -85,8 +85,10 @@ void GenerationEvaluator::Plan(std::size_t robot) {
   }
   if (open.pieces == 0) known_.push_back(robot);
   for (std::size_t i = 0; i < pieces.size(); ++i)
-    for (LifePiece& piece : pieces[i])
-      Take({robot, i, piece.first}, std::move(piece));
+    for (LifePiece& piece : pieces[i]) {
+      const Place place = {robot, i, piece.first};
+      Take(place, std::move(piece));
+    }
 }
 
 void GenerationEvaluator::Take(const Place& place, LifePiece piece) {
