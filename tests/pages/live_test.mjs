@@ -104,7 +104,7 @@ test("a link's names, texts and mistakes are text", () =>
   ));
 
 test("a genotype that grows beyond all bounds is ended with a word", () => {
-  const text = "plsc 1\ngenotype big\nalphabet plasticoding 1\niterations 20\nrule C -> { C B C B }\nrule B -> { B B B C }\n";
+  const text = "plsc 1\ngenotype big\nalphabet plasticoding 1\niterations 20\nrule C -> { C add_left B }\nrule B -> { B add_front B add_left B }\n";
   return withRobot(
     async (page) => {
       await page.locator(".wrong", { hasText: /too many|more than/ }).waitFor();

@@ -53,11 +53,19 @@ function complain(text) {
   right.classList.toggle("stale", text !== "");
 }
 
+// Where the first error is, and what.
+function wordsOf({ error, diagnostics = [] }) {
+  const first = diagnostics.find((one) => one.severity === "error");
+  if (!first) return error;
+  const place = first.file === robot.name ? "Line" : "Scenario, line";
+  return `${place} ${first.line}: ${first.message}`;
+}
+
 const lives = new LifeView();
 const changes = new Changes();
 const workings = new Workings((ranges, hasMoved) => {
-  if (!editor || editor.text !== workings.robot.text) return;
-  editor.light(ranges);
+  if (!editor) return;
+  editor.light(editor.text === workings.robot.text ? ranges : []);
   const first = ranges.find((range) => range.name === "lit");
   if (first && hasMoved) editor.scrollTo(first.from);
 });
@@ -80,7 +88,7 @@ const choices = new Choices({
 
 const lab = new Lab(door, {
   onBusy: (isBusy) => right.setAttribute("aria-busy", String(isBusy)),
-  onWrong: ({ error }) => complain(error),
+  onWrong: (answer) => complain(wordsOf(answer)),
   onRobot: (page) => workings.show(page),
   onLife(life, page, input, milliseconds) {
     complain("");
