@@ -107,7 +107,7 @@ test("a genotype that grows beyond all bounds is ended with a word", () => {
   const text = "plsc 1\ngenotype big\nalphabet plasticoding 1\niterations 20\nrule C -> { C add_left B }\nrule B -> { B add_front B add_left B }\n";
   return withRobot(
     async (page) => {
-      await page.locator(".wrong", { hasText: /too many|more than/ }).waitFor();
+      await page.locator(".wrong", { hasText: /3486784401 symbols/ }).waitFor();
       // And the page goes on.
       await page.locator(".cm-content").focus();
       await page.keyboard.press("Control+a");
