@@ -28,15 +28,6 @@
 #include "tests/sim/maths/maths_hash.h"
 #include "tests/sim/terrains.h"
 
-#ifdef PLSC_NO_ODE
-namespace plsc {
-std::unique_ptr<Engine> MakeOdeEngine(const Scene&) {
-  std::fputs("this program has no ODE\n", stderr);
-  std::abort();
-}
-}  // namespace plsc
-#endif
-
 namespace plsc {
 namespace {
 

@@ -16,14 +16,6 @@
 
 #include "tests/sim/articulated/short_lives.h"
 
-namespace plsc {
-
-std::unique_ptr<Engine> MakeOdeEngine(const Scene& /*scene*/) {
-  std::abort();  // no life asks for it
-}
-
-}  // namespace plsc
-
 namespace {
 
 std::string LineOf(const plsc::test::ShortLife& life) {
