@@ -73,10 +73,6 @@ std::vector<Diagnostic> CheckSenses(const Scenario& scenario,
 }
 
 std::optional<Diagnostic> CheckEngines(const Scenario& scenario) {
-  if (!HasOde() && UsesOde(scenario))
-    return Diagnostic(Code::kMisfit, {},
-                      "robots are to live in ODE, which is not in this build")
-        .WithHelp("write 'engine: articulated', or 'profile: swift'");
   for (const Season& season : scenario.seasons)
     if (season.physics.engine == EngineKind::kArticulated &&
         season.physics.solver == Solver::kIterative)

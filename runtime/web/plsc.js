@@ -23,6 +23,12 @@ async function openPlsc(bytes) {
       memory().setUint32(written, size, true);
       return 0;
     },
+    environ_sizes_get(count, size) {
+      memory().setUint32(count, 0, true);
+      memory().setUint32(size, 0, true);
+      return 0;
+    },
+    environ_get: () => 0,
     emscripten_notify_memory_growth() {},
     proc_exit(status) {
       throw new Error(words || `the module ended with status ${status}`);
