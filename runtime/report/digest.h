@@ -37,6 +37,7 @@ struct Digest {
   std::vector<ReportMeasure> measures;  ///< that readings have
   int every = 10;                       ///< generations, at least 1
   std::vector<DigestRun> runs;          ///< in the order of RunsOf
+  std::vector<std::string> claims{};    ///< as ClaimsTextsIn the folder
 };
 
 /// Whether a generation's numbers are kept.

@@ -16,6 +16,7 @@
 #include "runtime/report/digest.h"
 #include "runtime/report/rounded_json.h"
 #include "runtime/store/schema.h"
+#include "runtime/study/claims_record.h"
 #include "runtime/text/json_dump.h"
 #include "runtime/text/json_reader.h"
 #include "runtime/text/json_text.h"
@@ -294,6 +295,19 @@ void ReadKept(JsonReader& reader, const JsonValue& value, Digest& digest) {
   if (reader.errors().empty()) AddRun(std::move(one), digest);
 }
 
+void ReadClaimsTexts(JsonReader& reader, const JsonValue& root,
+                     Digest& digest) {
+  // A digest may be of a time when none were kept.
+  if (!root.json.contains("claims")) return;
+  reader.List(root, "claims", [&](const JsonValue& text) {
+    digest.claims.push_back(reader.Text(text));
+  });
+  const auto record = ParseClaimsRecord(digest.claims, "the study");
+  if (!record)
+    reader.Error(JsonValue{root.json["claims"], &root, "claims"}, Code::kMisfit,
+                 record.error().text);
+}
+
 }  // namespace
 
 std::string PrintDigest(const Digest& digest) {
@@ -303,8 +317,9 @@ std::string PrintDigest(const Digest& digest) {
                   DumpJson(Json(PrintStudy(digest.study))));
   Json measures = Json::array();
   for (const ReportMeasure& one : digest.measures) measures.push_back(one.id);
-  text += fmt::format("\"measures\":{},\n\"every\":{},\n\"runs\":[",
-                      DumpJson(measures), digest.every);
+  text += fmt::format(
+      "\"claims\":{},\n\"measures\":{},\n\"every\":{},\n\"runs\":[",
+      DumpJson(Json(digest.claims)), DumpJson(measures), digest.every);
   const char* separator = "\n";
   for (const DigestRun& one : digest.runs) {
     text += separator + DumpJson(KeptRun(digest, one));
@@ -314,8 +329,8 @@ std::string PrintDigest(const Digest& digest) {
 }
 
 Result<Digest> ParseDigest(const Source& source) {
-  static constexpr std::array<std::string_view, 5> kKnown{
-      "plsc_digest", "study", "measures", "every", "runs"};
+  static constexpr std::array<std::string_view, 6> kKnown{
+      "plsc_digest", "study", "claims", "measures", "every", "runs"};
   const Result<nlohmann::json> json = ReadJson(source);
   if (!json) return json.diagnostics();
   JsonReader reader(source);
@@ -337,6 +352,7 @@ Result<Digest> ParseDigest(const Source& source) {
     return reader.errors();
   }
   digest.study = *study;
+  ReadClaimsTexts(reader, root, digest);
   digest.every = static_cast<int>(reader.Integer(root, "every", 1, kMostInt));
   reader.List(root, "measures", [&](const JsonValue& measure) {
     const auto found = ChooseMeasures(reader.Text(measure));

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <system_error>
 #include <utility>
 
@@ -38,17 +39,26 @@ std::string NameOf(const fs::path& folder) {
   return Cleaned(Canonical(folder.string())).filename().string();
 }
 
+StudyClaims ClaimsOf(const std::string& title,
+                     Expected<ClaimsRecord, Failure> record) {
+  if (!record) return {title, {}, record.error().text};
+  return {title, std::move(*record), ""};
+}
+
 /// The runs of a study, or of one of its experiments.
 Inputs RunsOfStudy(const std::string& folder, const std::string& only) {
   const Expected<Study, Failure> study = StudyIn(folder);
   if (!study) return study.error();
   ReportInputs inputs;
   inputs.title = study->name.empty() ? NameOf(folder) : study->name;
+  if (only.empty())
+    inputs.claims.push_back(ClaimsOf(inputs.title, ClaimsIn(folder)));
   for (const StudyRun& run : RunsOf(*study)) {
     const std::string& experiment = study->experiments[run.experiment].name;
     if (!only.empty() && experiment != only) continue;
     inputs.runs.push_back({RunPath(folder, *study, run), RunName(*study, run),
                            experiment, ExperimentOf(*study, run)});
+    if (only.empty()) inputs.runs.back().study = 0;
   }
   return inputs;
 }
@@ -126,12 +136,15 @@ Inputs RunsOfDigest(const std::string& path, std::string text) {
   ReportInputs inputs;
   inputs.title =
       study.name.empty() ? fs::path(path).filename().string() : study.name;
+  inputs.claims.push_back(
+      ClaimsOf(inputs.title, ParseClaimsRecord(digest->claims, path)));
   auto next = digest->runs.begin();
   for (const StudyRun& run : RunsOf(study)) {
     ReportInput& input = inputs.runs.emplace_back(
         ReportInput{path + "#" + RunName(study, run), RunName(study, run),
                     study.experiments[run.experiment].name,
                     ExperimentOf(study, run), digest});
+    input.study = 0;
     if (next != digest->runs.end() && next->run == run) input.kept = &*next++;
   }
   return inputs;
@@ -169,6 +182,31 @@ bool IsSameRun(const ReportInput& one, const ReportInput& other) {
          one.expected && other.expected && *one.expected == *other.expected;
 }
 
+/// Whether the one record goes on where the other ends, or is the same.
+bool GoesOnFrom(const ClaimsRecord& record, const ClaimsRecord& before) {
+  return !before.empty() && before.size() <= record.size() &&
+         std::equal(before.begin(), before.end(), record.begin(),
+                    [](const ClaimsVersion& a, const ClaimsVersion& b) {
+                      return a.hash == b.hash && a.stated == b.stated;
+                    });
+}
+
+/// A study that a folder and a digest both have, or two digests, claims once.
+/// Its index.
+std::size_t AddClaims(StudyClaims claims, ReportInputs& all) {
+  for (std::size_t i = 0; i < all.claims.size(); ++i) {
+    StudyClaims& there = all.claims[i];
+    if (there.study != claims.study) continue;
+    if (GoesOnFrom(there.record, claims.record)) return i;
+    if (GoesOnFrom(claims.record, there.record)) {
+      there = std::move(claims);
+      return i;
+    }
+  }
+  all.claims.push_back(std::move(claims));
+  return all.claims.size() - 1;
+}
+
 bool HasResults(const ReportInput& run) {
   std::error_code error;
   return run.digest ? run.kept != nullptr : fs::exists(run.path, error);
@@ -184,7 +222,7 @@ bool HasDigests(const ReportInputs& inputs) {
 
 Inputs FindRuns(const std::vector<std::string>& paths) {
   ReportInputs all;
-  std::vector<std::string> seen;
+  std::map<std::string, std::size_t> seen;  // index of the run
   for (const std::string& path : paths) {
     // Beside runs as a shell names them: *.sqlite.
     if (IsRelivedFile(path) && paths.size() > 1) continue;
@@ -192,17 +230,26 @@ Inputs FindRuns(const std::vector<std::string>& paths) {
     if (!found) return found;
     const bool has_digests = HasDigests(all) || HasDigests(*found);
     all.title += (all.title.empty() ? "" : ", ") + found->title;
+    std::vector<std::size_t> studies;
+    for (StudyClaims& claims : found->claims)
+      studies.push_back(AddClaims(std::move(claims), all));
     for (ReportInput& run : found->runs) {
-      std::string canonical = Canonical(run.path);
-      if (std::find(seen.begin(), seen.end(), canonical) != seen.end())
+      if (run.study) run.study = studies[*run.study];
+      const auto [place, is_new] =
+          seen.emplace(Canonical(run.path), all.runs.size());
+      if (!is_new) {
+        // Named alone before its study was named whole.
+        ReportInput& there = all.runs[place->second];
+        if (!there.study) there.study = run.study;
         continue;
-      seen.push_back(std::move(canonical));
+      }
       const auto same = has_digests
                             ? std::find_if(all.runs.begin(), all.runs.end(),
                                            [&](const ReportInput& one) {
                                              return IsSameRun(one, run);
                                            })
                             : all.runs.end();
+      place->second = static_cast<std::size_t>(same - all.runs.begin());
       if (same == all.runs.end())
         all.runs.push_back(std::move(run));
       else if (!HasResults(*same))

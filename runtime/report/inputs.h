@@ -13,6 +13,7 @@
 #include "grammar/failure.h"
 #include "runtime/evolve/experiment.h"
 #include "runtime/report/digest.h"
+#include "runtime/study/claims_record.h"
 
 namespace plsc {
 
@@ -26,11 +27,21 @@ struct ReportInput {
   /// Of a digest, whose runs have no store; nothing if it lacks the run.
   std::shared_ptr<const Digest> digest = nullptr;
   const DigestRun* kept = nullptr;  ///< in the digest
+  /// Index into ReportInputs::claims, if the whole study was named.
+  std::optional<std::size_t> study{};
+};
+
+/// What a study that was named claims.
+struct StudyClaims {
+  std::string study;  ///< its title
+  ClaimsRecord record;
+  std::string problem;  ///< why the record cannot be read
 };
 
 struct ReportInputs {
   std::string title;  ///< the study's name, or that of the only path
   std::vector<ReportInput> runs;
+  std::vector<StudyClaims> claims{};
 };
 
 /// Whether a run is of a digest, which has no stores to look into.

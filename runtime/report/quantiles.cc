@@ -37,6 +37,12 @@ double Quantile(const std::vector<double>& values, double share) {
   return values[index] + (place - below) * (values[index + 1] - values[index]);
 }
 
+double MeanOf(const std::vector<double>& values) {
+  if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
+  return std::accumulate(values.begin(), values.end(), 0.0) /
+         static_cast<double>(values.size());
+}
+
 Quartiles QuartilesOf(std::vector<double> values) {
   std::sort(values.begin(), values.end());
   return OfSorted(values);
@@ -55,8 +61,7 @@ BoxPlot BoxPlotOf(std::vector<double> values) {
       *std::prev(std::upper_bound(values.begin(), values.end(), high));
   for (const double value : values)
     if (value < low || value > high) box.outliers.push_back(value);
-  box.mean = std::accumulate(values.begin(), values.end(), 0.0) /
-             static_cast<double>(values.size());
+  box.mean = MeanOf(values);
   return box;
 }
 

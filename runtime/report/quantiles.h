@@ -11,6 +11,9 @@ namespace plsc {
 /// empty: R's type 7, linear between order statistics.
 double Quantile(const std::vector<double>& values, double share);
 
+/// Without values no number.
+double MeanOf(const std::vector<double>& values);
+
 /// The three quartiles; without values, three that are no numbers.
 struct Quartiles {
   double low = 0;

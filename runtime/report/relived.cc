@@ -20,15 +20,6 @@ namespace plsc {
 
 namespace {
 
-constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
-
-/// Of what are numbers.
-double MeanOf(const std::vector<double>& values) {
-  double sum = 0;
-  for (const double value : values) sum += value;
-  return values.empty() ? kUnknown : sum / static_cast<double>(values.size());
-}
-
 int IndexOfSeason(std::size_t season) {
   return static_cast<int>(season);
 }

@@ -121,6 +121,21 @@ int ComparedGeneration(const StudyReport& report) {
   return compared;
 }
 
+/// And those that claims are about, which are shown, too.
+std::vector<ReportMeasure> WithClaimed(
+    std::vector<ReportMeasure> measures,
+    const std::vector<StudyClaims>& studies) {
+  for (const StudyClaims& study : studies)
+    for (const ClaimsVersion& version : study.record)
+      for (const Claim& claim : version.claims) {
+        const std::optional<ReportMeasure> measure = FindMeasure(claim.measure);
+        if (measure && std::find(measures.begin(), measures.end(), *measure) ==
+                           measures.end())
+          measures.push_back(*measure);
+      }
+  return measures;
+}
+
 }  // namespace
 
 StudyReport BuildReport(const ReportInputs& inputs,
@@ -128,15 +143,17 @@ StudyReport BuildReport(const ReportInputs& inputs,
                         const ReportProgress& on_run, bool verify) {
   StudyReport report;
   report.title = inputs.title;
-  report.measures = measures;
+  report.claims = inputs.claims;
+  report.measures = WithClaimed(measures, inputs.claims);
   report.is_single = inputs.runs.size() == 1;
   report.is_verified = verify;
-  const ReadOptions options{measures, report.is_single, verify};
+  const ReadOptions options{report.measures, report.is_single, verify};
   for (const ReportInput& input : inputs.runs) {
     RunReading reading =
-        input.kept != nullptr ? ReadingOf(*input.digest, *input.kept, measures)
-        : input.digest        ? RunReading()
-                              : ReadRun(input.path, options, input.expected);
+        input.kept != nullptr
+            ? ReadingOf(*input.digest, *input.kept, report.measures)
+        : input.digest ? RunReading()
+                       : ReadRun(input.path, options, input.expected);
     report.is_thinned = report.is_thinned || input.kept != nullptr;
     report.runs.push_back({input, std::move(reading), {}, {}});
     if (on_run) on_run(report.runs.size(), inputs.runs.size());

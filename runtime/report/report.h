@@ -39,7 +39,8 @@ struct ReportExperiment {
 
 struct StudyReport {
   std::string title;
-  std::vector<ReportMeasure> measures;
+  std::vector<StudyClaims> claims;  ///< of the studies that were named whole
+  std::vector<ReportMeasure> measures;  ///< those of claims included
   std::vector<ReportRun> runs;  ///< in the order in which they were named
   std::vector<ReportExperiment> experiments;
   std::vector<std::string> seasons;  ///< that charts are made for

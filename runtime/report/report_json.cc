@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "runtime/develop/environment_json.h"
+#include "runtime/report/claims_json.h"
 #include "runtime/report/comparison.h"
 #include "runtime/report/experiment_difference.h"
 #include "runtime/report/report_relived_json.h"
@@ -358,7 +359,9 @@ Json ListJson(const Items& items, const Write& write) {
 
 }  // namespace
 
-std::string ReportJson(const StudyReport& report, const ReportMade& made) {
+std::string ReportJson(const StudyReport& report,
+                       const std::vector<ClaimResult>& claims,
+                       const ReportMade& made) {
   const Names names(report);
   const auto named = [&](auto write) {
     return [&names, write](const auto& one) { return write(one, names); };
@@ -386,6 +389,8 @@ std::string ReportJson(const StudyReport& report, const ReportMade& made) {
   json["generation"] =
       report.generation < 0 ? Json(nullptr) : Json(report.generation);
   json["seasons"] = report.seasons;
+  json["claims"] = ClaimsJson(report, claims);
+  json["claims_stated"] = ClaimsStatedJson(report);
   json["measures"] = MeasuresJson(report);
   json["experiments"] = ListJson(
       report.experiments,

@@ -5,6 +5,7 @@
 
 #include <string>
 
+#include "runtime/report/claim_results.h"
 #include "runtime/report/report.h"
 
 namespace plsc {
@@ -15,6 +16,8 @@ struct ReportMade {
   std::string by;
   std::string at;
 };
-std::string ReportJson(const StudyReport& report, const ReportMade& made);
+std::string ReportJson(const StudyReport& report,
+                       const std::vector<ClaimResult>& claims,
+                       const ReportMade& made);
 
 }  // namespace plsc

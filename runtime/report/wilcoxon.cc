@@ -17,8 +17,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <numeric>
+
+#include "runtime/report/normal.h"
 
 namespace plsc {
 
@@ -90,13 +91,6 @@ double ExactP(std::size_t w, std::size_t m, std::size_t n) {
   return std::min(2 * static_cast<double>(WaysUpTo(tail, m, n)) /
                       static_cast<double>(AllWays(m, n)),
                   1.0);
-}
-
-/// The normal distribution's share of what is below z. Far out a rounded
-/// quotient would cost z^2 units of the last place, so there are more places.
-double NormalBelow(double z) {
-  return static_cast<double>(
-      std::erfc(-z / std::numbers::sqrt2_v<long double>) / 2);
 }
 
 std::optional<double> NormalP(const Ranked& ranked, double m, double n) {

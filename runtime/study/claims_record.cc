@@ -131,28 +131,45 @@ Expected<SealedVersion, Failure> ParseVersion(const std::string& path,
   return sealed;
 }
 
-Expected<std::vector<SealedVersion>, Failure> Read(const std::string& folder) {
-  std::vector<SealedVersion> all;
+Expected<std::vector<std::string>, Failure> ReadTexts(
+    const std::string& folder) {
+  std::vector<std::string> texts;
   for (;;) {
-    const std::string path = FileOf(folder, all.size() + 1);
+    const std::string path = FileOf(folder, texts.size() + 1);
     if (!IsThere(path)) {
-      if (IsThere(FileOf(folder, all.size() + 2)))
+      if (IsThere(FileOf(folder, texts.size() + 2)))
         return Failure(
             fmt::format("'{}' is missing, and later claims of the "
                         "study are there",
                         path));
-      return all;
+      return texts;
     }
     std::ifstream file(path, std::ios::binary);
     std::ostringstream text;
     text << file.rdbuf();
     if (!file) return Failure(fmt::format("cannot read '{}'", path));
-    Expected<SealedVersion, Failure> one = ParseVersion(path, text.str());
+    texts.push_back(text.str());
+  }
+}
+
+Expected<std::vector<SealedVersion>, Failure> ParseAll(
+    const std::vector<std::string>& texts, const std::string& where) {
+  std::vector<SealedVersion> all;
+  for (const std::string& text : texts) {
+    const std::string path = FileOf(where, all.size() + 1);
+    Expected<SealedVersion, Failure> one = ParseVersion(path, text);
     if (!one) return one.error();
     if (one->previous != (all.empty() ? kFirst : all.back().seal))
       return Changed(path, "it does not follow from the file before it");
     all.push_back(std::move(*one));
   }
+  return all;
+}
+
+Expected<std::vector<SealedVersion>, Failure> Read(const std::string& folder) {
+  const auto texts = ReadTexts(folder);
+  if (!texts) return texts.error();
+  return ParseAll(*texts, folder);
 }
 
 void CountRuns(const std::string& folder, const Study& study,
@@ -191,12 +208,28 @@ MaybeFailure StateClaims(const std::string& folder, const Study& study,
   }
 }
 
-Expected<ClaimsRecord, Failure> ClaimsIn(const std::string& folder) {
-  auto there = Read(folder);
-  if (!there) return there.error();
+Expected<std::vector<std::string>, Failure> ClaimsTextsIn(
+    const std::string& folder) {
+  auto texts = ReadTexts(folder);
+  if (texts)
+    if (const auto wrong = ParseAll(*texts, folder); !wrong)
+      return wrong.error();
+  return texts;
+}
+
+Expected<ClaimsRecord, Failure> ParseClaimsRecord(
+    const std::vector<std::string>& texts, const std::string& where) {
+  auto all = ParseAll(texts, where);
+  if (!all) return all.error();
   ClaimsRecord record;
-  for (SealedVersion& one : *there) record.push_back(std::move(one.version));
+  for (SealedVersion& one : *all) record.push_back(std::move(one.version));
   return record;
+}
+
+Expected<ClaimsRecord, Failure> ClaimsIn(const std::string& folder) {
+  const auto texts = ReadTexts(folder);
+  if (!texts) return texts.error();
+  return ParseClaimsRecord(*texts, folder);
 }
 
 std::vector<StatedClaim> StatedClaims(const ClaimsRecord& record) {

@@ -42,6 +42,13 @@ MaybeFailure StateClaims(const std::string& folder, const Study& study,
 /// Fails if a file is damaged, was changed by hand, or is missing.
 Expected<ClaimsRecord, Failure> ClaimsIn(const std::string& folder);
 
+/// The files themselves, the first one first, to be kept elsewhere; and what
+/// they say. `where` they are from is part of what is told to be wrong.
+Expected<std::vector<std::string>, Failure> ClaimsTextsIn(
+    const std::string& folder);
+Expected<ClaimsRecord, Failure> ParseClaimsRecord(
+    const std::vector<std::string>& texts, const std::string& where);
+
 /// A claim that was ever made in the folder.
 struct StatedClaim {
   Claim claim;

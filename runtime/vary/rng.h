@@ -22,6 +22,7 @@ enum class Purpose : std::uint64_t {
   kMutate = 3,
   kSelectSurvivors = 4,
   kRelive = 6,
+  kBootstrap = 7,  ///< of a claim's interval, in a report
 };
 
 struct StreamKey {

@@ -25,13 +25,23 @@ experiments:
     encoding: baseline
     scenario: {seasons: [{name: plain, terrain: flat, duration: 1 s}]}
 `;
+const claims = `claims:
+  ${JSON.stringify(hostile)}: {measure: speed, season: flat, greater: [plastic, baseline], source: ${JSON.stringify(hostile)}}
+  as many limbs: {measure: limbs, season: tilted, equal: [plastic, baseline]}
+  the slope is slow: {measure: speed, experiment: plastic, less: [tilted, flat]}
+  as published: {measure: speed, experiment: static, season: plain, value: 3.63 cm/s}
+  shrinks: {measure: size, experiment: baseline, season: flat, minimum_before: 2}
+`;
 const folder = join(scratch, "study");
+const claimedFolder = join(scratch, "claimed");
 const file = join(scratch, "report.html");
 const single = join(scratch, "single.html");
 const still = join(scratch, "still.html");
 const waiting = join(scratch, "waiting.html");
 const partly = join(scratch, "partly.html");
 const checked = join(scratch, "checked.html");
+const claimed = join(scratch, "claimed.html");
+const changed = join(scratch, "changed.html");
 const relived = join(scratch, "relived.html");
 const iterative = join(scratch, "iterative.html");
 const older = join(scratch, "older.html");
@@ -47,8 +57,18 @@ scenario:
 `;
 
 before(() => {
-  writeFileSync(join(scratch, "study.yaml"), study);
-  plsc("study", "run", "study.yaml", "-o", folder, "--quiet");
+  writeFileSync(join(scratch, "claimed.yaml"), study + claims);
+  plsc("study", "run", "claimed.yaml", "-o", claimedFolder, "--quiet");
+  plsc("report", claimedFolder, "-o", claimed);
+  const changedFolder = join(scratch, "changed");
+  cpSync(claimedFolder, changedFolder, { recursive: true });
+  writeFileSync(join(scratch, "changed.yaml"), study + claims.split("\n").slice(0, 2).join("\n").replace("greater", "less") + "\n");
+  plsc("study", "run", "changed.yaml", "-o", changedFolder, "--quiet");
+  plsc("report", changedFolder, "-o", changed);
+
+  // The others are of a study that claims nothing.
+  cpSync(claimedFolder, folder, { recursive: true });
+  rmSync(join(folder, "claims.yaml"));
   plsc("report", folder, "-o", file);
   plsc("report", join(folder, "plastic/1.sqlite"), "-o", single, "--measures", "speed,hinge_count");
   plsc("report", join(folder, "static/1.sqlite"), "-o", still, "--measures", "speed,balance,size,hinge_count");
@@ -138,6 +158,42 @@ for (const [name, size] of [
       await screenshot(page, `report-${name}`);
       if (size === desktop) await screenshot(page, "report-whole", { fullPage: true });
     }));
+
+test("claims come first, with the numbers of the JSON", () =>
+  withPage(claimed, desktop, async (page) => {
+    const data = JSON.parse(plsc("report", claimedFolder, "--format", "json"));
+    assert.equal(await page.locator("main > section").first().getAttribute("id"), "claims");
+    const rows = await page.$$eval("#claims tbody tr", (lines) => lines.map((line) => [...line.cells].map((cell) => cell.textContent)));
+    assert.equal(data.claims.length, 5);
+    assert.equal(rows.length, 5); // none of these lived again
+    const verdicts = rows.map(([verdict]) => verdict.slice(2));
+    assert.deepEqual(verdicts, data.claims.map(({ verdict }) => verdict));
+    assert.ok(rows[0][1].startsWith(hostile), rows[0][1]);
+    assert.match(rows[0][8], / of 2$/); // corrected together
+    assert.ok(rows.flat().every((cell) => !/NaN|undefined|null/.test(cell)));
+    assert.match(await page.textContent("#claims"), /5 claims, stated 20\S+Z before the first run; hash [0-9a-f]{32}/);
+    const { text } = await downloaded(page, page.getByRole("button", { name: "CSV of the claims" }));
+    assert.equal(text.trim().split("\r\n").length, 1 + 5);
+    // Their measures are shown, too.
+    assert.ok(data.measures.some(({ id }) => id === "limbs"));
+  }));
+
+test("claims that were changed, and a record that was, are told", () =>
+  withPage(changed, desktop, async (page) => {
+    const text = await page.textContent("#claims");
+    assert.match(text, /Changed to 1 claim, at 20\S+Z after \d+ of 9 runs had begun/);
+    assert.match(text, /withdrawn 20/);
+    await screenshot(page, "report-claims");
+  }));
+
+test("claims fit a phone", () =>
+  withPage(claimed, phone, async (page) => {
+    await assertFitsWidth(page);
+    await screenshot(page, "report-claims-phone");
+  }));
+
+test("a study that claims nothing has no such section", () =>
+  withPage(file, desktop, async (page) => assert.equal(await page.locator("#claims").count(), 0)));
 
 test("names are shown as what they are", () =>
   withPage(file, desktop, async (page) => {

@@ -27,8 +27,11 @@ void Add(Options& options, ReportCommand& command) {
       .ValueName("paper|all|NAME,...");
   options.Choice(
       "--format", command.format,
-      "html (default), or json: what the page shows, as one object",
-      {{"html", ReportFormat::kHtml}, {"json", ReportFormat::kJson}});
+      "html (default); json: what the page shows, as one object; text: what "
+      "became of the study's claims",
+      {{"html", ReportFormat::kHtml},
+       {"json", ReportFormat::kJson},
+       {"text", ReportFormat::kText}});
   options.Flag("--verify", command.verify,
                "compare all results with their checksums first (about a "
                "second for 10,000 robots); what is damaged is left out");
@@ -49,7 +52,8 @@ void Add(Options& options, ReportCommand& command) {
   options.Flag("--quiet", command.quiet,
                "no progress and no summary; only what is wrong");
   options.Footer(
-      "For each measure and season: curves over generations, box plots of the "
+      "First what the study claims, and whether it holds. For each measure and "
+      "season: curves over generations, box plots of the "
       "last\ngeneration, two-sided Wilcoxon rank-sum tests between "
       "experiments. And the best\nrobot of each run, how plastic populations "
       "are, and where the results come from\n(docs/reports.md). Where robots "
@@ -57,6 +61,7 @@ void Add(Options& options, ReportCommand& command) {
       "ones. Runs may be unfinished, or worked on meanwhile. A run that\nis "
       "damaged is told and left out.\n\n"
       "  plsc report small -o report.html\n"
+      "  plsc report small --format text\n"
       "  plsc report small/plastic small/baseline -o report.html\n"
       "  plsc report run1.sqlite --measures all -o run1.html\n"
       "  plsc report paper --check-engine 10 -o paper.html\n"

@@ -13,11 +13,15 @@ namespace plsc::cli {
 
 class Options;
 
-enum class ReportFormat : std::uint8_t { kHtml, kJson };
+enum class ReportFormat : std::uint8_t {
+  kHtml,
+  kJson,
+  kText,  ///< of the claims alone
+};
 
 struct ReportCommand {
   std::vector<std::string> paths;  ///< folders of studies, runs
-  std::string output;              ///< empty: standard output, kJson only
+  std::string output;              ///< empty: standard output, no page
   bool force = false;              ///< as Output::force
   std::string measures = "paper";
   ReportFormat format = ReportFormat::kHtml;

@@ -15,6 +15,7 @@
 #include "runtime/cli/running/relive_run.h"
 #include "runtime/cli/running/utc_now.h"
 #include "runtime/pages/page.h"
+#include "runtime/report/claims_text.h"
 #include "runtime/report/report_json.h"
 #include "runtime/text/version.h"
 
@@ -70,7 +71,7 @@ std::string Summary(const StudyReport& report) {
 /// Runs by whether there is something to show of them.
 struct ReportedRuns {
   int readable = 0;
-  int damaged = 0;
+  int damaged = 0;  ///< records of claims, too
 };
 
 /// Says what is wrong with runs.
@@ -83,6 +84,11 @@ ReportedRuns ReportProblems(const StudyReport& report, Io& io) {
     } else if (run.reading.state != RunState::kMissing) {
       ++reported.readable;
     }
+  }
+  for (const StudyClaims& study : report.claims) {
+    if (study.problem.empty()) continue;
+    ++reported.damaged;
+    io.err << fmt::format("error: {}\n", Escaped(study.problem));
   }
   return reported;
 }
@@ -160,21 +166,32 @@ void TakeRelived(const ReportCommand& command, StudyReport& report, Io& io) {
 }
 
 Output OutputOf(const ReportCommand& command) {
-  return {command.output,
-          command.format == ReportFormat::kHtml ? OutputKind::kPage
-                                                : OutputKind::kReport,
-          command.force, command.paths};
+  const OutputKind kind =
+      command.format == ReportFormat::kHtml   ? OutputKind::kPage
+      : command.format == ReportFormat::kJson ? OutputKind::kReport
+                                              : OutputKind::kClaims;
+  return {command.output, kind, command.force, command.paths};
+}
+
+std::string TextOf(const ReportCommand& command, const StudyReport& report,
+                   const std::vector<ClaimResult>& claims) {
+  if (command.format == ReportFormat::kText) return ClaimsText(report, claims);
+  const std::string json = ReportJson(report, claims, MadeNow());
+  return command.format == ReportFormat::kHtml
+             ? PageHtml(PageKind::kReport, report.title, json)
+             : json + '\n';
 }
 
 Exit Write(const ReportCommand& command, const StudyReport& report, Io& io) {
-  std::string text = ReportJson(report, MadeNow());
-  if (command.format == ReportFormat::kHtml)
-    text = PageHtml(PageKind::kReport, report.title, text);
-  else
-    text += '\n';
+  const std::vector<ClaimResult> claims = ClaimResultsOf(report);
+  if (command.format == ReportFormat::kText && claims.empty())
+    return Complain("no whole study that was named claims anything", io);
+  const std::string text = TextOf(command, report, claims);
   if (!WriteOutput(OutputOf(command), text, io)) return Exit::kBadInput;
   if (!command.quiet && !command.output.empty() && command.output != "-")
-    io.out << fmt::format("{}: {}\n", Escaped(command.output), Summary(report));
+    io.out << fmt::format("{}: {}{}\n", Escaped(command.output),
+                          Summary(report),
+                          claims.empty() ? "" : "; " + ClaimsSummary(claims));
   return Exit::kFine;
 }
 
@@ -192,7 +209,7 @@ Exit Run(const ReportCommand& command, Io& io) {
   if (is_page && !HasPages())
     return Complain(
         "this plsc was built without npm and has no pages; "
-        "--format json works",
+        "--format json and text work",
         io);
   if ((command.verify || command.relive || command.check_engine) &&
       HasDigests(*inputs))

@@ -9,6 +9,7 @@
 #include "runtime/cli/files/open_run.h"
 #include "runtime/cli/files/output_path.h"
 #include "runtime/report/digest.h"
+#include "runtime/study/claims_record.h"
 #include "runtime/study/study_folder.h"
 
 namespace plsc::cli {
@@ -69,6 +70,23 @@ std::optional<Failure> ChooseKept(const StudyDigestCommand& command,
   return std::nullopt;
 }
 
+/// What is claimed, as the folder has it, later changes included. A digest of
+/// runs from several folders keeps the record that it has.
+std::optional<Failure> TakeClaims(const StudyDigestCommand& command,
+                                  Digest& digest, Io& io) {
+  auto texts = ClaimsTextsIn(command.folder);
+  if (!texts) return texts.error();
+  const std::vector<std::string>& kept = digest.claims;
+  if (kept.size() <= texts->size() &&
+      std::equal(kept.begin(), kept.end(), texts->begin()))
+    digest.claims = std::move(*texts);
+  else if (!texts->empty())
+    io.err << fmt::format(
+        "warning: '{}' keeps the claims that it has; '{}' stated its own\n",
+        Escaped(command.output), Escaped(command.folder));
+  return std::nullopt;
+}
+
 struct Added {
   int runs = 0;
   int damaged = 0;
@@ -107,6 +125,8 @@ Exit Run(const StudyDigestCommand& command, Io& io) {
   digest->study.repetitions =
       std::max(digest->study.repetitions, study->repetitions);
   if (const auto failure = ChooseKept(command, *digest))
+    return Complain(*failure, io);
+  if (const auto failure = TakeClaims(command, *digest, io))
     return Complain(*failure, io);
   const Added added = AddRuns(command, *digest, io);
   if (!WriteOutput(output, PrintDigest(*digest), io)) return Exit::kBadInput;

@@ -3,6 +3,7 @@
 #include <array>
 #include <cassert>
 
+#include "runtime/report/claims_text.h"
 #include "runtime/report/digest.h"
 
 namespace plsc::cli {
@@ -31,6 +32,7 @@ constexpr std::array kMarks{
     Mark{OutputKind::kTrajectory, "trajectory", "time,x,y,z,mass_x,", ""},
     Mark{OutputKind::kScenario, "scenario of trajectories", kScenarioMark, ""},
     Mark{OutputKind::kReport, "report", R"({"plsc_report":)", ""},
+    Mark{OutputKind::kClaims, "list of claims", kClaimsMark, ""},
     Mark{OutputKind::kDigest, "digest", kDigestMark, ""},
     Mark{OutputKind::kChildren, "list of children", R"({"seed":)",
          R"(,"text":"plsc 1)"},

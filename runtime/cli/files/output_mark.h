@@ -20,6 +20,7 @@ enum class OutputKind : std::uint8_t {
   kTrajectory,
   kScenario,  ///< beside trajectories
   kReport,
+  kClaims,  ///< of a report, as text
   kDigest,
   kChildren,  ///< JSON lines of mutate and cross
   kRunLines,  ///< JSON lines of a run

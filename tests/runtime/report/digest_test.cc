@@ -4,6 +4,7 @@
 #include <cmath>
 #include <fstream>
 
+#include "runtime/report/claim_results.h"
 #include "runtime/report/comparison.h"
 #include "runtime/report/report.h"
 #include "tests/runtime/report/reported_study.h"
@@ -89,6 +90,38 @@ TEST_CASE("A report of a digest has the tests of the stores' report") {
     if (tests[i].result)
       REQUIRE(tests[i].result->p == their_tests[i].result->p);
   }
+}
+
+TEST_CASE("A digest keeps what is claimed, with its seals") {
+  const test::Scratch scratch;
+  const std::string folder = scratch / "study";
+  std::filesystem::copy(ReportedStudy::Get().folder, folder,
+                        std::filesystem::copy_options::recursive);
+  Study study = StudyOf(folder);
+  Claim claim;
+  claim.name = "bigger";
+  claim.measure = "size";
+  claim.experiments = {"plastic", "baseline"};
+  claim.seasons = {"flat"};
+  study.claims = {claim};
+  REQUIRE_FALSE(StateClaims(folder, study, "2026-11-30T12:00:00Z"));
+  Digest digest = AllRuns();
+  digest.claims = *ClaimsTextsIn(folder);
+  const std::string text = PrintDigest(digest);
+  const auto again = ParseDigest(Source("digest", text));
+  REQUIRE(again);
+  CHECK(again->claims == digest.claims);
+  const auto results = ClaimResultsOf(ReportOf(Written(text)));
+  REQUIRE(results.size() == 1);
+  CHECK(results[0].stated.claim == claim);
+  CHECK(results[0].recorded.runs == std::vector<std::size_t>{2, 3});
+  CHECK(results[0].planned == std::vector<std::size_t>{3, 3});
+
+  digest.claims[0].replace(digest.claims[0].find("bigger"), 6, "larger");
+  const auto changed = ParseDigest(Source("digest", PrintDigest(digest)));
+  REQUIRE_FALSE(changed);
+  CHECK(changed.diagnostics()[0].message.find("changed by hand") !=
+        std::string::npos);
 }
 
 TEST_CASE("A digest keeps every n-th generation and the last") {

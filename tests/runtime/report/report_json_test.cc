@@ -15,7 +15,8 @@ using nlohmann::json;
 using test::ReportedStudy;
 
 json JsonOf(const StudyReport& report) {
-  return json::parse(ReportJson(report, {"plsc 1", "2026-01-01T00:00:00Z"}));
+  return json::parse(ReportJson(report, ClaimResultsOf(report),
+                                {"plsc 1", "2026-01-01T00:00:00Z"}));
 }
 
 }  // namespace

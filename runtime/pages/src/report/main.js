@@ -3,6 +3,7 @@ import "../common/base.css";
 import "./main.css";
 import { readData } from "../common/data.js";
 import { element } from "../common/dom.js";
+import { claimsSection } from "./claims.js";
 import { differencesSection } from "./differences.js";
 import { enginesSection } from "./engines.js";
 import { gallerySection } from "./gallery.js";
@@ -76,10 +77,10 @@ function measuresSection(data, measures) {
 function show(data) {
   const styles = stylesOf(data.experiments);
   const measures = data.measures.map((_, index) => measureSection(data, styles, index)).filter(Boolean);
-  const differences = differencesSection(data);
+  const first = [claimsSection(data), differencesSection(data)].filter(Boolean);
   const rest = [testsSection(data), diversitySection(data, styles), plasticitySection(data, styles), swapsSection(data, styles), enginesSection(data, styles), gallerySection(data), provenanceSection(data)].filter(Boolean);
   const all = measuresSection(data, measures);
-  document.body.append(element("main", {}, header(data), contents([differences, ...measures, ...rest]), differences, all, rest));
+  document.body.append(element("main", {}, header(data), contents([...first, ...measures, ...rest]), first, all, rest));
 }
 
 show(numbered(readData()));
