@@ -49,7 +49,10 @@ Request Read(std::string_view text) {
 service::Answer About(const std::string& version) {
   service::Answer answer;
   answer.Add("version", version);
-  answer.Add("engines", AllNames(kEngineNames));
+  Json engines = Json::array();
+  for (const auto& [engine, name] : kEngineNames)
+    if (engine != EngineKind::kOde || HasOde()) engines.push_back(name);
+  answer.Add("engines", engines);
   Json asks = Json::array();
   for (const service::Ask& ask : service::Asks()) asks.push_back(ask.name);
   asks.push_back("about");

@@ -292,10 +292,6 @@ std::uint64_t OdeEngine::Hash() const {
   return hash.value();
 }
 
-bool HasOde() {
-  return true;
-}
-
 std::unique_ptr<Engine> MakeOdeEngine(const Scene& scene) {
   return std::make_unique<OdeEngine>(scene);
 }

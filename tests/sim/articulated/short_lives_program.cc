@@ -9,9 +9,7 @@
 
 #include <cinttypes>
 #include <cstdio>
-#include <cstdlib>
 #include <fstream>
-#include <memory>
 #include <string>
 
 #include "tests/sim/articulated/short_lives.h"
