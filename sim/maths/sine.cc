@@ -28,8 +28,8 @@
 #include <cmath>
 #include <cstdint>
 
-#include "sim/maths/bits.h"
 #include <limits>
+#include "sim/maths/bits.h"
 
 #include "sim/maths/two.h"
 

@@ -40,7 +40,7 @@ test("both answer alike", () => {
     if (JSON.parse(wanted[i]).ok) ++fine[ask];
   }
   // That they agree in refusing everything would say little.
-  for (const ask of asks) if (ask !== "about") assert.ok(fine[ask] > 5, `only ${fine[ask]} answers to '${ask}'`);
+  for (const ask of asks) if (ask !== "about") assert.ok(fine[ask] > 3, `only ${fine[ask]} answers to '${ask}'`);
   console.log(Object.entries(fine).map(([ask, count]) => `${count} ${ask}`).join(", "));
 });
 
