@@ -29,8 +29,8 @@
 #include <cstdint>
 
 #include <limits>
-#include "sim/maths/bits.h"
 
+#include "sim/maths/bits.h"
 #include "sim/maths/two.h"
 
 namespace plsc {
