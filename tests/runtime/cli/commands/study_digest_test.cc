@@ -67,7 +67,8 @@ Json ReportOf(const std::string& path) {
 /// Equal but for numbers, of which six digits are kept and then converted.
 void CheckAlike(const Json& one, const Json& other) {
   if (one.is_number() && other.is_number()) {
-    CHECK(one.get<double>() == Approx(other.get<double>()).epsilon(1e-5));
+    CHECK(one.get<double>() ==
+          Approx(other.get<double>()).epsilon(1e-5).margin(1e-6));
     return;
   }
   REQUIRE(one.type() == other.type());
