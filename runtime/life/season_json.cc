@@ -55,4 +55,17 @@ std::string SeasonJson(const Genotype& genotype, const SeasonResult& result) {
   return json.dump();
 }
 
+std::string EvaluationJson(const Genotype& genotype,
+                           const Evaluation& evaluation) {
+  Json fitness = Json::object();
+  std::string seasons;
+  for (const SeasonResult& season : evaluation.seasons) {
+    fitness[season.season] =
+        season.fitness ? Json(*season.fitness) : Json(nullptr);
+    if (!seasons.empty()) seasons += ',';
+    seasons += SeasonJson(genotype, season);
+  }
+  return fmt::format(R"("fitness":{},"seasons":[{}])", fitness.dump(), seasons);
+}
+
 }  // namespace plsc

@@ -18,4 +18,9 @@ namespace plsc {
 /// digits). A line without its end.
 std::string SeasonJson(const Genotype& genotype, const SeasonResult& result);
 
+/// `"fitness":{season: m/s or null},"seasons":[as SeasonJson]`: what answers
+/// about a whole life have, without the brackets of an object.
+std::string EvaluationJson(const Genotype& genotype,
+                           const Evaluation& evaluation);
+
 }  // namespace plsc

@@ -267,9 +267,11 @@ std::string ClaimsSummary(const std::vector<ClaimResult>& results) {
       fmt::format("{} claim{}", results.size(), results.size() == 1 ? "" : "s");
   const char* separator = ": ";
   for (const auto& [verdict, name] : kVerdictNames) {
-    const auto count = std::count_if(
-        results.begin(), results.end(),
-        [&](const ClaimResult& one) { return one.first().verdict == verdict; });
+    const auto count =
+        std::count_if(results.begin(), results.end(),
+                      [wanted = verdict](const ClaimResult& one) {
+                        return one.first().verdict == wanted;
+                      });
     if (count == 0) continue;
     const bool is_many = verdict == Verdict::kHolds && count > 1;
     text += fmt::format("{}{} {}", separator, count, is_many ? "hold" : name);

@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
-#include "runtime/cli/diagnostics/diagnostic_json.h"
 #include "runtime/life/season_json.h"
+#include "runtime/text/diagnostic_json.h"
 #include "runtime/text/json_place.h"
 #include "runtime/text/json_reader.h"
 #include "runtime/text/json_text.h"
@@ -74,30 +74,15 @@ std::string IdOfRequest(const std::string& line) {
 
 std::string EvaluationAnswer(const std::string& id, const Genotype& genotype,
                              const Evaluation& evaluation) {
-  Json fitness = Json::object();
-  std::string seasons;
-  for (const SeasonResult& season : evaluation.seasons) {
-    fitness[season.season] =
-        season.fitness ? Json(*season.fitness) : Json(nullptr);
-    if (!seasons.empty()) seasons += ',';
-    seasons += SeasonJson(genotype, season);
-  }
-  return fmt::format(R"({{"id":{},"fitness":{},"seasons":[{}]}})", id,
-                     fitness.dump(), seasons);
+  return fmt::format(R"({{"id":{},{}}})", id,
+                     EvaluationJson(genotype, evaluation));
 }
 
 std::string FailureAnswer(const std::string& id, std::size_t line,
                           const std::vector<Diagnostic>& diagnostics,
                           const Source& source) {
-  std::string all;
-  for (const Diagnostic& diagnostic : diagnostics) {
-    if (!all.empty()) all += ',';
-    all += DiagnosticJson(diagnostic, source);
-  }
-  const Diagnostic& first = diagnostics.front();
-  return FailedAnswer(
-      id, line, fmt::format("{}: {}", NumberOf(first.code), first.message),
-      all);
+  return FailedAnswer(id, line, HeadlineOf(diagnostics.front()),
+                      DiagnosticsJson(diagnostics, source));
 }
 
 std::string FailureAnswer(const std::string& id, std::size_t line,

@@ -2,9 +2,9 @@
 
 #include "runtime/cli/arguments/texts.h"
 #include "runtime/cli/commands/check_file.h"
-#include "runtime/cli/diagnostics/diagnostic_json.h"
 #include "runtime/cli/diagnostics/github_annotation.h"
 #include "runtime/cli/diagnostics/sarif.h"
+#include "runtime/text/diagnostic_json.h"
 
 namespace plsc::cli {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "runtime/cli/arguments/texts.h"
-#include "runtime/cli/diagnostics/diagnostic_json.h"
+#include "runtime/text/diagnostic_json.h"
 
 namespace plsc::cli {
 

@@ -9,8 +9,7 @@
 #include <system_error>
 #include <utility>
 
-#include "compiler/environment_text.h"
-#include "compiler/print.h"
+#include "compiler/named_environments.h"
 #include "grammar/shown_line.h"
 #include "grammar/suggest.h"
 #include "runtime/advice/lint.h"
@@ -21,38 +20,19 @@ namespace plsc::cli {
 
 namespace {
 
-std::string ExampleOf(const std::vector<State>& states) {
-  Environment example;
-  for (const State& state : states)
-    example.values.push_back(state.type == StateType::kReal ? state.low : 0);
-  return PrintEnvironment(example, states);
-}
-
-const NamedEnvironment* Find(const Program& program, std::string_view name) {
-  const auto found =
-      std::find_if(program.environments.begin(), program.environments.end(),
-                   [&](const NamedEnvironment& e) { return e.name == name; });
-  return found == program.environments.end() ? nullptr : &*found;
-}
-
 std::optional<NamedEnvironment> ReadOne(const Program& program,
                                         const std::string& text, Io& io) {
-  if (const NamedEnvironment* named = Find(program, text)) return *named;
   const Source source("--env", text);
-  const Result<Environment> environment =
-      ParseEnvironment(source, program.genotype.states);
-  Report(environment.diagnostics(), source, io);
-  if (!environment) {
-    if (!program.environments.empty() && text.find('=') == std::string::npos) {
-      io.err << "= note: environments that the file names:";
-      for (const NamedEnvironment& named : program.environments)
-        io.err << ' ' << Escaped(named.name);
-      io.err << '\n';
-    }
-    return std::nullopt;
+  Result<NamedEnvironment> found = FindEnvironment(program, source);
+  Report(found.diagnostics(), source, io);
+  if (found) return std::move(*found);
+  if (!program.environments.empty() && text.find('=') == std::string::npos) {
+    io.err << "= note: environments that the file names:";
+    for (const NamedEnvironment& named : program.environments)
+      io.err << ' ' << Escaped(named.name);
+    io.err << '\n';
   }
-  std::string name = PrintEnvironment(*environment, program.genotype.states);
-  return NamedEnvironment{std::move(name), *environment};
+  return std::nullopt;
 }
 
 CompileOptions Options(bool allow_range) {
@@ -217,13 +197,11 @@ std::optional<std::vector<NamedEnvironment>> ChooseEnvironments(
     }
     return chosen;
   }
-  if (!program.environments.empty()) return program.environments;
-  if (program.genotype.states.empty())
-    return std::vector<NamedEnvironment>{{"any", {}}};
+  if (auto usual = UsualEnvironments(program)) return usual;
   io.err << fmt::format(
       "error: which environment? the genotype senses its surroundings and the "
       "file names none\n  = help: add --env {}\n",
-      ExampleOf(program.genotype.states));
+      ExampleOfEnvironment(program.genotype.states));
   return std::nullopt;
 }
 

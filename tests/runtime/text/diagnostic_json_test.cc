@@ -1,4 +1,4 @@
-#include "runtime/cli/diagnostics/diagnostic_json.h"
+#include "runtime/text/diagnostic_json.h"
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
@@ -12,8 +12,7 @@ TEST_CASE("a diagnostic keeps its parts in JSON", "[diagnostic_json]") {
                         "expected one, found two");
   diagnostic.others = {{{0, 3}, "one is here"}};
   diagnostic.fixes = {{{10, 13}, "one"}};
-  const auto json =
-      nlohmann::json::parse(cli::DiagnosticJson(diagnostic, source));
+  const auto json = nlohmann::json::parse(DiagnosticJson(diagnostic, source));
   CHECK(json["severity"] == "error");
   CHECK(json["code"] == "P1101");
   CHECK(json["line"] == 2);
@@ -25,8 +24,8 @@ TEST_CASE("a diagnostic keeps its parts in JSON", "[diagnostic_json]") {
 
 TEST_CASE("text that is not UTF-8 stays valid JSON", "[diagnostic_json]") {
   const Diagnostic diagnostic(Code::kUnknownItem, {}, "found '\xFF'");
-  CHECK(nlohmann::json::accept(
-      cli::DiagnosticJson(diagnostic, Source("a", "\xFF"))));
+  CHECK(
+      nlohmann::json::accept(DiagnosticJson(diagnostic, Source("a", "\xFF"))));
 }
 
 }  // namespace

@@ -1,16 +1,18 @@
-#include "runtime/cli/diagnostics/diagnostic_json.h"
+#include "runtime/text/diagnostic_json.h"
+
+#include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
 
 #include "runtime/text/json_dump.h"
 
-namespace plsc::cli {
+namespace plsc {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
-void AddPlace(Json& json, Span span, const Source& source) {
+void AddPlace(OrderedJson& json, Span span, const Source& source) {
   const Position position = source.PositionOf(span.begin);
   json["line"] = position.line;
   json["column"] = position.column;
@@ -21,7 +23,7 @@ void AddPlace(Json& json, Span span, const Source& source) {
 }  // namespace
 
 std::string DiagnosticJson(const Diagnostic& diagnostic, const Source& source) {
-  Json json;
+  OrderedJson json;
   json["severity"] =
       diagnostic.severity == Severity::kError ? "error" : "warning";
   json["code"] = NumberOf(diagnostic.code);
@@ -29,18 +31,18 @@ std::string DiagnosticJson(const Diagnostic& diagnostic, const Source& source) {
   json["label"] = diagnostic.label;
   json["file"] = source.name();
   AddPlace(json, diagnostic.span, source);
-  json["others"] = Json::array();
+  json["others"] = OrderedJson::array();
   for (const Label& label : diagnostic.others) {
-    Json other;
+    OrderedJson other;
     other["text"] = label.text;
     AddPlace(other, label.span, source);
     json["others"].push_back(std::move(other));
   }
   json["notes"] = diagnostic.notes;
   json["help"] = diagnostic.help;
-  json["fixes"] = Json::array();
+  json["fixes"] = OrderedJson::array();
   for (const Fix& fix : diagnostic.fixes) {
-    Json change;
+    OrderedJson change;
     AddPlace(change, fix.span, source);
     change["replacement"] = fix.replacement;
     json["fixes"].push_back(std::move(change));
@@ -49,4 +51,18 @@ std::string DiagnosticJson(const Diagnostic& diagnostic, const Source& source) {
   return DumpJson(json);
 }
 
-}  // namespace plsc::cli
+std::string DiagnosticsJson(const std::vector<Diagnostic>& diagnostics,
+                            const Source& source) {
+  std::string all;
+  for (const Diagnostic& diagnostic : diagnostics) {
+    if (!all.empty()) all += ',';
+    all += DiagnosticJson(diagnostic, source);
+  }
+  return all;
+}
+
+std::string HeadlineOf(const Diagnostic& diagnostic) {
+  return fmt::format("{}: {}", NumberOf(diagnostic.code), diagnostic.message);
+}
+
+}  // namespace plsc
