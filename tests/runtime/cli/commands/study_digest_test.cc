@@ -156,6 +156,18 @@ TEST_CASE("One command makes tables and figures of what is there", "[report]") {
   CHECK(RunPlsc({"report", study.digest, "--format", "files"}).exit == 2);
 }
 
+TEST_CASE("What stands in docs/paper is what its digest says", "[report]") {
+  const test::TemporaryFolder folder;
+  const std::string paper = test::InRepository("docs/paper");
+  REQUIRE(RunPlsc({"report", paper + "/paper.digest.json", "--format", "files",
+                   "-o", folder.path().string()})
+              .exit == 0);
+  for (const std::string& name : folder.Files()) {
+    INFO("docs/paper/README.md has the command that makes " << name);
+    CHECK(test::ReadFile(folder / name) == test::ReadFile(paper + "/" + name));
+  }
+}
+
 TEST_CASE("Digests of a time without claims and relived values are read",
           "[study]") {
   const std::string older =
