@@ -5,11 +5,13 @@ import { readdirSync, readFileSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { basename, dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
+import { gzipSync } from "node:zlib";
 
 const [modules, output] = process.argv.slice(2);
 const esbuild = createRequire(join(modules, "x.js"))("esbuild");
 const here = dirname(fileURLToPath(import.meta.url));
-const pages = ["report", "view", "explain"]; // as PageKind in page_kind.h
+const pages = ["report", "view", "explain", "live"]; // as PageKind in page_kind.h
+const packed = new Set(["live"]); // pages that are large for their libraries
 
 // The libraries' licences want to go where their code goes.
 function notices(metafile) {
@@ -28,6 +30,14 @@ function notices(metafile) {
   return [...byText]
     .map(([text, names]) => `Of ${names.join(", ")}:\n${text.replaceAll("*/", "* /")}`)
     .join("\n\n");
+}
+
+// The script as text that the browser unpacks: a third of its size.
+function unpacking(script) {
+  const text = gzipSync(script, { level: 9 }).toString("base64");
+  const bytes = `Uint8Array.from(atob("${text}"),(c)=>c.charCodeAt(0))`;
+  const stream = `new Blob([${bytes}]).stream().pipeThrough(new DecompressionStream("gzip"))`;
+  return `new Response(${stream}).text().then((text)=>{const script=document.createElement("script");script.textContent=text;document.body.append(script)});`;
 }
 
 async function bundle(page) {
@@ -49,7 +59,8 @@ async function bundle(page) {
   });
   const text = (ending) => result.outputFiles.find((file) => basename(file.path) === `main.${ending}`)?.text ?? "";
   const notice = notices(result.metafile);
-  const script = (notice ? `/*\n${notice}\n*/\n` : "") + text("js");
+  const code = packed.has(page) ? unpacking(text("js")) : text("js");
+  const script = (notice ? `/*\n${notice}\n*/\n` : "") + code;
   // In HTML these end a script, or change what ends it.
   if (/<\/script|<!--/i.test(script) || /<\/style/i.test(text("css")))
     throw new Error(`the bundle of '${page}' cannot stand in HTML`);

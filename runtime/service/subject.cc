@@ -65,11 +65,17 @@ void RefuseLongSettling(const Scenario& scenario) {
 
 }  // namespace
 
+std::string LimitedText(const Request& request, std::string_view key,
+                        std::size_t most) {
+  return Limited(request.Text(key), key, most);
+}
+
+std::string NameOf(const Request& request) {
+  return Limited(request.Text("name", "robot.pls"), "name", kMostNameBytes);
+}
+
 Source TextOf(const Request& request) {
-  std::string name =
-      Limited(request.Text("name", "robot.pls"), "name", kMostNameBytes);
-  return {std::move(name),
-          Limited(request.Text("text"), "text", kMostTextBytes)};
+  return {NameOf(request), LimitedText(request, "text")};
 }
 
 Subject SubjectOf(const Request& request) {
@@ -83,8 +89,8 @@ Subject SubjectOf(const Request& request) {
 Scenario ScenarioOf(const Request& request) {
   Scenario scenario = PaperScenario();
   if (request.Has("scenario")) {
-    const Source yaml(kScenarioName, Limited(request.Text("scenario"),
-                                             "scenario", kMostTextBytes));
+    const Source yaml(kScenarioName,
+                      LimitedText(request, "scenario", kMostScenarioBytes));
     Result<Scenario> read = ParseScenario(yaml);
     if (!read) throw Refusal(read.diagnostics(), yaml);
     scenario = std::move(*read);

@@ -9,11 +9,17 @@
 #include "compiler/compile.h"
 #include "runtime/develop/derive.h"
 #include "runtime/scenario/scenario.h"
+#include "runtime/service/limits.h"
 #include "runtime/service/request.h"
 #include "sim/phenotype.h"
 
 namespace plsc::service {
 
+/// A text under a key that must be there.
+std::string LimitedText(const Request& request, std::string_view key,
+                        std::size_t most = kMostTextBytes);
+/// The key `name`.
+std::string NameOf(const Request& request);
 /// The keys `text` and `name`.
 Source TextOf(const Request& request);
 
