@@ -76,7 +76,8 @@ class Run {
         options_(options),
         planner_(experiment.scenario, options.simulate),
         workers_(MakeWorkers()),
-        evaluator_(planner_, *workers_, options.caches) {
+        evaluator_(planner_, *workers_, options.caches,
+                   {experiment.seed, experiment.trials}) {
     if (!options.saved) return;
     result_.generations = options.saved->generations;
     result_.evaluations = options.saved->evaluations;

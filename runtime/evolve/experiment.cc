@@ -16,6 +16,7 @@
 #include "compiler/limits.h"
 #include "grammar/enum_names.h"
 #include "grammar/keywords.h"
+#include "runtime/evolve/trials_yaml.h"
 #include "runtime/scenario/scenario_yaml.h"
 #include "runtime/text/yaml_reader.h"
 #include "runtime/text/yaml_text.h"
@@ -416,6 +417,7 @@ Experiment ReadExperiment(YamlMap& map) {
   const Profile profile = map.Choice("profile", Profile::kPaper, kProfileNames);
   TakeHabits(profile, experiment);
   ReadVariation(map, experiment);
+  experiment.trials = ReadTrials(map);
   experiment.genotype = ReadGenotype(map);
   ReadScenarioOf(map, profile, experiment);
   map.Close();
@@ -449,6 +451,7 @@ std::string PrintExperimentKeys(const Experiment& experiment, int indent) {
       fmt::format("crossover: {}\n", PrintPlainNumber(experiment.crossover));
   text += fmt::format("tournament: {}\n", experiment.tournament);
   text += PrintVariation(experiment);
+  text += PrintTrials(experiment.trials);
   text += PrintGenotypeOptions(experiment.genotype);
   return Indented(text, indent) + Indented("scenario:\n", indent) +
          PrintScenarioKeys(experiment.scenario, indent + 2);
@@ -463,6 +466,13 @@ std::string PrintExperiment(const Experiment& experiment) {
 }
 
 std::vector<Diagnostic> CheckSenses(const Experiment& experiment) {
+  if (experiment.trials.noise.touch > 0 &&
+      experiment.scenario.controller == ControllerMode::kOpenLoop)
+    return {Diagnostic(Code::kMisfit, {},
+                       "noise of touch sensors has no effect with 'controller: "
+                       "open_loop', nor have they")
+                .WithHelp("leave 'touch' out of 'noise', or write 'controller: "
+                          "coupled'")};
   if (experiment.genotype.encoding == Encoding::kBaseline) return {};
   return CheckSenses(experiment.scenario, experiment.genotype.states);
 }

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "grammar/result.h"
+#include "runtime/evolve/trial_options.h"
 #include "runtime/scenario/scenario_profile.h"
 #include "runtime/vary/initialise.h"
 #include "runtime/vary/mutate.h"
@@ -41,6 +42,7 @@ struct Experiment {
   Inheritance inheritance = Inheritance::kGenotype;
   MutationOptions variation;  ///< how a child is mutated
   GenotypeOptions genotype;
+  TrialOptions trials;  ///< how often, and how disturbed, a robot lives
   Scenario scenario = PaperScenario();
   /// Where the scenario is when it has a file of its own, as written in the
   /// experiment; empty otherwise. Whoever read the experiment reads that file

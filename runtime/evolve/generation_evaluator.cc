@@ -12,9 +12,9 @@
 // only then.
 //
 // Each place is filled exactly once, and a robot is told when all of its pieces
-// are. A worker's death is the answer for the places that waited for it but is
-// not kept for others, nor in a cache: it says something about a process and
-// nothing about a robot.
+// are, of all of its trials. A worker's death is the answer for the places that
+// waited for it but is not kept for others, nor in a cache: it says something
+// about a process and nothing about a robot.
 
 #include "runtime/evolve/generation_evaluator.h"
 
@@ -45,7 +45,7 @@ void GenerationEvaluator::Begin(const std::vector<Individual>& robots) {
   next_ = 0;
   orders_.clear();
   tickets_.clear();
-  lives_.assign(robots.size(), {});
+  open_.assign(robots.size(), {});
   for (const Individual& robot : robots)
     outstanding_ += robot.evaluation.seasons.empty() ? 1 : 0;
 }
@@ -72,17 +72,36 @@ bool GenerationEvaluator::PlanSome() {
 
 void GenerationEvaluator::Plan(std::size_t robot) {
   const Individual& one = (*robots_)[robot];
-  lives_[robot].seasons.resize(planner_.scenario().seasons.size());
-  std::vector<LifePiece> pieces =
-      planner_.Plan(one.genotype, one.heritage.senses, one.disturbances);
-  lives_[robot].pieces = pieces.size();
-  if (pieces.empty()) known_.push_back(robot);
-  for (LifePiece& piece : pieces) Take(robot, std::move(piece));
+  OpenRobot& open = open_[robot];
+  open.trials = TrialsOf(plan_, planner_, one);
+  open.lives.resize(open.trials.size());
+  std::vector<std::vector<LifePiece>> pieces;
+  for (std::size_t i = 0; i < open.trials.size(); ++i) {
+    open.lives[i].resize(planner_.scenario().seasons.size());
+    pieces.push_back(
+        planner_.Plan(one.genotype, one.heritage.senses, open.trials[i]));
+    open.pieces += pieces.back().size();
+  }
+  if (open.pieces == 0) known_.push_back(robot);
+  for (std::size_t i = 0; i < pieces.size(); ++i)
+    for (LifePiece& piece : pieces[i])
+      Take({robot, i, piece.first}, std::move(piece));
 }
 
-void GenerationEvaluator::Take(std::size_t robot, LifePiece piece) {
+void GenerationEvaluator::Take(const Place& place, LifePiece piece) {
+  if (!plan_.options.own_lives && TakeKnown(place, piece)) return;
+  const Individual& one = (*robots_)[place.robot];
+  workers_.Submit(static_cast<int>(orders_.size()),
+                  RequestFor(one.genotype, one.heritage.senses, piece,
+                             open_[place.robot].trials[place.trial]));
+  tickets_[piece.keys] = orders_.size();
+  orders_.push_back({std::move(piece), {place}, {}});
+}
+
+/// Whether somebody lives it, or has lived it before.
+bool GenerationEvaluator::TakeKnown(const Place& place,
+                                    const LifePiece& piece) {
   const auto seasons = static_cast<std::int64_t>(piece.keys.size());
-  const Place place = {robot, piece.first};
   const auto ticket = tickets_.find(piece.keys);
   if (ticket != tickets_.end()) {
     counts_.looked_up += seasons;
@@ -91,17 +110,13 @@ void GenerationEvaluator::Take(std::size_t robot, LifePiece piece) {
       order.places.push_back(place);
     else
       Fill(place, order.simulated);
-  } else if (const auto known = LookUp(piece)) {
-    counts_.looked_up += seasons;
-    Fill(place, *known);
-  } else {
-    const Individual& one = (*robots_)[robot];
-    workers_.Submit(
-        static_cast<int>(orders_.size()),
-        RequestFor(one.genotype, one.heritage.senses, piece, one.disturbances));
-    tickets_[piece.keys] = orders_.size();
-    orders_.push_back({std::move(piece), {place}, {}});
+    return true;
   }
+  const auto known = LookUp(piece);
+  if (!known) return false;
+  counts_.looked_up += seasons;
+  Fill(place, *known);
+  return true;
 }
 
 std::optional<std::vector<Simulated>> GenerationEvaluator::LookUp(
@@ -120,12 +135,13 @@ std::optional<std::vector<Simulated>> GenerationEvaluator::LookUp(
 
 void GenerationEvaluator::Fill(const Place& place,
                                const std::vector<Simulated>& simulated) {
-  OpenLife& life = lives_[place.robot];
+  OpenRobot& open = open_[place.robot];
+  auto& seasons = open.lives[place.trial];
   for (std::size_t i = 0; i < simulated.size(); ++i) {
-    assert(!life.seasons[place.first + i]);
-    life.seasons[place.first + i] = simulated[i];
+    assert(!seasons[place.first + i]);
+    seasons[place.first + i] = simulated[i];
   }
-  if (--life.pieces == 0) known_.push_back(place.robot);
+  if (--open.pieces == 0) known_.push_back(place.robot);
 }
 
 double GenerationEvaluator::StepOf(std::size_t season) const {
@@ -154,6 +170,16 @@ void GenerationEvaluator::Receive(const Reply& reply) {
   order.places = {};
 }
 
+EvaluatedLife GenerationEvaluator::Assemble(std::size_t robot) {
+  const Individual& one = (*robots_)[robot];
+  const OpenRobot& open = open_[robot];
+  std::vector<EvaluatedLife> lives;
+  for (std::size_t i = 0; i < open.trials.size(); ++i)
+    lives.push_back(planner_.Assemble(one.genotype, one.heritage.senses,
+                                      open.lives[i], open.trials[i]));
+  return OverTrials(std::move(lives), open.trials, plan_.options);
+}
+
 std::vector<EvaluatedRobot> GenerationEvaluator::Wait(int timeout_ms) {
   const bool has_more = PlanSome();
   if (known_.empty()) {
@@ -165,11 +191,8 @@ std::vector<EvaluatedRobot> GenerationEvaluator::Wait(int timeout_ms) {
   std::vector<EvaluatedRobot> evaluated;
   for (; !known_.empty(); known_.pop_front(), --outstanding_) {
     const std::size_t i = known_.front();
-    const Individual& one = (*robots_)[i];
-    evaluated.push_back(
-        {i, planner_.Assemble(one.genotype, one.heritage.senses,
-                              lives_[i].seasons, one.disturbances)});
-    lives_[i] = {};
+    evaluated.push_back({i, Assemble(i)});
+    open_[i] = {};
   }
   return evaluated;
 }

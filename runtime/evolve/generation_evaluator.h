@@ -16,6 +16,7 @@
 #include "grammar/failure.h"
 #include "runtime/evolve/individual.h"
 #include "runtime/evolve/simulation_cache.h"
+#include "runtime/evolve/trials.h"
 #include "runtime/life/life_plan.h"
 #include "runtime/life/simulated.h"
 #include "runtime/workers/workers.h"
@@ -38,9 +39,15 @@ struct EvaluatedRobot {
 /// What it is given must outlive it. One generation after the other.
 class GenerationEvaluator {
  public:
+  /// Of own lives (`plan`) caches are neither asked nor told.
   GenerationEvaluator(const LifePlanner& planner, Workers& workers,
-                      std::vector<SimulationCache*> caches)
-      : planner_(planner), workers_(workers), caches_(std::move(caches)) {}
+                      std::vector<SimulationCache*> caches, TrialPlan plan = {})
+      : planner_(planner),
+        workers_(workers),
+        caches_(std::move(caches)),
+        plan_(std::move(plan)) {
+    if (plan_.options.own_lives) caches_.clear();
+  }
 
   /// Robots, which stay where they are until the last is evaluated. Those with
   /// an evaluation are so already.
@@ -57,15 +64,18 @@ class GenerationEvaluator {
   const EvaluationCounts& counts() const { return counts_; }
 
  private:
-  struct OpenLife {
-    std::vector<std::optional<Simulated>> seasons;
-    std::size_t pieces = 0;  // not known yet
+  struct OpenRobot {
+    std::vector<Disturbances> trials;
+    // By trial and season.
+    std::vector<std::vector<std::optional<Simulated>>> lives;
+    std::size_t pieces = 0;  // not known yet, of all trials
   };
   // A simulation is a function of its keys alone, so whoever lives the same may
   // live it in other seasons than whom it was ordered for: another robot, or
   // the same one again.
   struct Place {
     std::size_t robot = 0;
+    std::size_t trial = 0;
     std::size_t first = 0;  // season
   };
   struct Order {
@@ -77,18 +87,21 @@ class GenerationEvaluator {
   bool HasRoom() const;
   bool PlanSome();
   void Plan(std::size_t robot);
-  void Take(std::size_t robot, LifePiece piece);
+  void Take(const Place& place, LifePiece piece);
+  bool TakeKnown(const Place& place, const LifePiece& piece);
   std::optional<std::vector<Simulated>> LookUp(const LifePiece& piece);
   void Fill(const Place& place, const std::vector<Simulated>& simulated);
   void Receive(const Reply& reply);
+  EvaluatedLife Assemble(std::size_t robot);
   double StepOf(std::size_t season) const;
 
   const LifePlanner& planner_;
   Workers& workers_;
   std::vector<SimulationCache*> caches_;
+  TrialPlan plan_;
   const std::vector<Individual>* robots_ = nullptr;
   std::size_t next_ = 0;  // robot to be planned
-  std::vector<OpenLife> lives_;
+  std::vector<OpenRobot> open_;
   std::vector<Order> orders_;                        // by ticket
   std::map<std::vector<Key>, std::size_t> tickets_;  // by the piece's keys
   std::deque<std::size_t> known_;                    // robots with all seasons

@@ -28,6 +28,8 @@ struct LifePiece {
   std::vector<Key> keys;
 };
 
+struct Trial;
+
 /// What stands behind one season of an evaluation.
 struct SeasonEvidence {
   /// Of `body` and `brain`. All three are empty (zero) if no robot developed.
@@ -37,6 +39,16 @@ struct SeasonEvidence {
   /// LifePiece::keys; zero if there was nothing to simulate.
   Key simulation;
   Simulated simulated;
+  /// Where a season is lived several times, or disturbed: all of these lives,
+  /// of which the above is the first. LifePlanner knows one at a time.
+  std::vector<Trial> trials;
+};
+
+/// A season lived once of several times.
+struct Trial {
+  Disturbance disturbance;
+  SeasonResult result;
+  SeasonEvidence evidence;
 };
 
 struct EvaluatedLife {

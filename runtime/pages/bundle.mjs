@@ -5,11 +5,14 @@ import { readdirSync, readFileSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { basename, dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
+import { gzipSync } from "node:zlib";
+import { view } from "./literal.mjs";
 
 const [modules, output] = process.argv.slice(2);
 const esbuild = createRequire(join(modules, "x.js"))("esbuild");
 const here = dirname(fileURLToPath(import.meta.url));
-const pages = ["report", "view", "explain"]; // as PageKind in page_kind.h
+const pages = ["report", "view", "explain", "live"]; // as PageKind in page_kind.h
+const packed = new Set(["live"]); // pages that are large for their libraries
 
 // The libraries' licences want to go where their code goes.
 function notices(metafile) {
@@ -28,6 +31,14 @@ function notices(metafile) {
   return [...byText]
     .map(([text, names]) => `Of ${names.join(", ")}:\n${text.replaceAll("*/", "* /")}`)
     .join("\n\n");
+}
+
+// The script as text that the browser unpacks: a third of its size.
+function unpacking(script) {
+  const text = gzipSync(script, { level: 9 }).toString("base64");
+  const bytes = `Uint8Array.from(atob("${text}"),(c)=>c.charCodeAt(0))`;
+  const stream = `new Blob([${bytes}]).stream().pipeThrough(new DecompressionStream("gzip"))`;
+  return `new Response(${stream}).text().then((text)=>{const script=document.createElement("script");script.textContent=text;document.body.append(script)});`;
 }
 
 async function bundle(page) {
@@ -49,24 +60,12 @@ async function bundle(page) {
   });
   const text = (ending) => result.outputFiles.find((file) => basename(file.path) === `main.${ending}`)?.text ?? "";
   const notice = notices(result.metafile);
-  const script = (notice ? `/*\n${notice}\n*/\n` : "") + text("js");
+  const code = packed.has(page) ? unpacking(text("js")) : text("js");
+  const script = (notice ? `/*\n${notice}\n*/\n` : "") + code;
   // In HTML these end a script, or change what ends it.
   if (/<\/script|<!--/i.test(script) || /<\/style/i.test(text("css")))
     throw new Error(`the bundle of '${page}' cannot stand in HTML`);
   return { script, style: text("css") };
-}
-
-// In pieces, as compilers bound the length of one literal.
-function literal(text) {
-  const escape = (c) => (/[\\"?]/.test(c) ? `\\${c}` : `\\${c.charCodeAt(0).toString(8).padStart(3, "0")}`);
-  const pieces = [];
-  for (let at = 0; at < text.length; ) {
-    let end = at + 8000;
-    if (/[\ud800-\udbff]/.test(text[end - 1] ?? "")) ++end; // one character, two units
-    pieces.push(`    "${text.slice(at, end).replace(/[\\"?\x00-\x1f\x7f]/g, escape)}"`);
-    at = end;
-  }
-  return pieces.length ? pieces.join("\n") : '    ""';
 }
 
 const built = await Promise.all(pages.map(bundle));
@@ -83,7 +82,6 @@ Bundle BundleOf(PageKind kind) {
 `;
 pages.forEach((page, i) => {
   const name = `k${page[0].toUpperCase()}${page.slice(1)}`;
-  const view = (text) => `std::string_view(\n${literal(text)},\n    ${Buffer.byteLength(text)})`;
   source += `    case PageKind::${name}:\n      return {${view(built[i].script)},\n  ${view(built[i].style)}};\n`;
 });
 source += "  }\n  return {};\n}\n\n}  // namespace plsc\n";

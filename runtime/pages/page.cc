@@ -24,10 +24,16 @@ std::string EscapeJson(std::string_view json) {
 }
 
 // What may be loaded: nothing but what the file itself has. Pictures are data
-// of the page, or what it drew.
-constexpr const char* kPolicy =
-    "default-src 'none'; script-src 'unsafe-inline'; "
-    "style-src 'unsafe-inline'; img-src data: blob:";
+// of the page, or what it drew. A live page also runs the compiler, as a module
+// of its own in a worker, and asks the server that it came from, if any.
+std::string PolicyOf(PageKind kind) {
+  const bool is_live = kind == PageKind::kLive;
+  return fmt::format(
+      "default-src 'none'; script-src 'unsafe-inline'{}; "
+      "style-src 'unsafe-inline'; img-src data: blob:{}",
+      is_live ? " 'wasm-unsafe-eval'" : "",
+      is_live ? "; worker-src blob:; connect-src 'self'" : "");
+}
 
 }  // namespace
 
@@ -56,7 +62,8 @@ std::string PageHtml(PageKind kind, std::string_view title,
 </body>
 </html>
 )",
-      kPolicy, EscapeXml(title), bundle.style, EscapeJson(json), bundle.script);
+      PolicyOf(kind), EscapeXml(title), bundle.style, EscapeJson(json),
+      bundle.script);
 }
 
 }  // namespace plsc

@@ -2,7 +2,7 @@
 
 // Pages for a browser, each one file that needs nothing else: no network, no
 // server. A page is its data, as JSON, and a program that shows them
-// (src/report, src/view, src/explain), bundled when plsc is built.
+// (src/report, src/view, src/explain, src/live), bundled when plsc is built.
 
 #include <string>
 #include <string_view>

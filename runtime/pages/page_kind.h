@@ -4,6 +4,6 @@
 
 namespace plsc {
 
-enum class PageKind : std::uint8_t { kReport, kView, kExplain };
+enum class PageKind : std::uint8_t { kReport, kView, kExplain, kLive };
 
 }  // namespace plsc

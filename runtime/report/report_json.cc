@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "runtime/develop/environment_json.h"
+#include "runtime/evolve/trials_yaml.h"
 #include "runtime/report/claims_json.h"
 #include "runtime/report/comparison.h"
 #include "runtime/report/experiment_difference.h"
@@ -58,6 +59,7 @@ Json ExperimentJson(const StudyReport& report, const ReportExperiment& one) {
   json["population"] = one.experiment.population;
   json["offspring"] = one.experiment.offspring;
   json["generations"] = one.experiment.generations;
+  json["lives"] = TextOrNull(DescribeTrials(one.experiment.trials));
   json["seasons"] = Json::array();
   for (std::size_t i = 0; i < one.seasons.size(); ++i) {
     const Season& season = one.experiment.scenario.seasons[i];

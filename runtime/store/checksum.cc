@@ -59,6 +59,22 @@ std::string EvaluationSql(int schema) {
       fmt::join(BehaviourColumns(schema), ", "));
 }
 
+std::string TrialsSql(int schema) {
+  return fmt::format(
+      "SELECT number, trial.phenotype, body.packed, {}, phenotype.packed, {}, "
+      "trial.simulation, simulation.begin, simulation.inclination, "
+      "simulation.outcome, simulation.reason, is_valid, {}, state_hash, steps, "
+      "solver_warnings, trial.outcome, trial.reason, fitness, lift, shift_x, "
+      "shift_y, yaw, friction, lean, touch, touch_seed, motor, motor_seed "
+      "FROM trial "
+      "LEFT JOIN phenotype ON phenotype.key = trial.phenotype "
+      "LEFT JOIN body ON body.key = phenotype.body "
+      "LEFT JOIN simulation ON simulation.key = trial.simulation "
+      "WHERE individual = ? AND season = ? ORDER BY number",
+      fmt::join(BodyColumns(), ", "), fmt::join(BrainColumns(), ", "),
+      fmt::join(BehaviourColumns(schema), ", "));
+}
+
 }  // namespace
 
 Checksums::Checksums(Database& database)
@@ -76,6 +92,9 @@ Checksums::Checksums(Database& database)
                   "mutation, mutated_rule, senses, genotype.name, text "
                   "FROM individual JOIN genotype USING (id) WHERE id = ?"),
       evaluation_(database, EvaluationSql(SchemaOf(database))),
+      has_trials_(SchemaOf(database) >= 4),
+      trials_(database, has_trials_ ? TrialsSql(SchemaOf(database))
+                                    : std::string("SELECT 1")),
       generation_(
           database,
           fmt::format("SELECT {} FROM generation WHERE number = ?",
@@ -100,6 +119,7 @@ std::int64_t Checksums::OfIndividual(int id) {
 std::int64_t Checksums::OfEvaluation(int individual, int season) {
   std::string bytes;
   AppendRows(evaluation_.With(individual, season), bytes);
+  if (has_trials_) AppendRows(trials_.With(individual, season), bytes);
   return Of(bytes);
 }
 

@@ -19,7 +19,7 @@ class Checksums {
   /// From the rows as they are now.
   std::int64_t OfRun();
   std::int64_t OfIndividual(int id);
-  /// With the phenotype and the simulation that it refers to.
+  /// With the phenotype and the simulation that it refers to, and its trials.
   std::int64_t OfEvaluation(int individual, int season);
   /// With its members.
   std::int64_t OfGeneration(int number);
@@ -29,6 +29,8 @@ class Checksums {
   Statement constants_;
   Statement individual_;
   Statement evaluation_;
+  bool has_trials_;
+  Statement trials_;
   Statement generation_;
   Statement members_;
 };

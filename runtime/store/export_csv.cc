@@ -64,6 +64,12 @@ const std::vector<CsvTable>& CsvTables() {
       {"results", CsvRows::kOfEvaluations,
        "SELECT result.* FROM result JOIN season ON season.name = "
        "result.season ORDER BY result.id, season.id"},
+      {"trials", CsvRows::kOfEvaluations,
+       "SELECT trial.individual AS id, season.name AS season, number, fitness, "
+       "trial.outcome, trial.reason, lift, shift_x, shift_y, yaw, friction, "
+       "lean, touch, touch_seed, motor, motor_seed, phenotype, simulation "
+       "FROM trial JOIN season ON season.id = trial.season "
+       "ORDER BY trial.individual, season.id, number"},
       {"generations", CsvRows::kOfGenerations,
        fmt::format("SELECT number, best, {} FROM generation ORDER BY number",
                    fmt::join(CensusColumns(), ", "))},

@@ -8,6 +8,7 @@
 #include "runtime/store/census_json.h"
 #include "runtime/store/export.h"
 #include "runtime/store/heritage_json.h"
+#include "runtime/store/trials_json.h"
 #include "runtime/store/verify.h"
 #include "runtime/text/json_dump.h"
 
@@ -38,7 +39,14 @@ std::string RunLine(const RunStore& store) {
   return DumpJson(Json{{"run", run}}) + "\n";
 }
 
-std::string IndividualLine(const Individual& one) {
+/// Nothing where there are none.
+std::string TrialsText(const std::vector<std::vector<StoredTrial>>& trials) {
+  return trials.empty() ? "" : ",\"trials\":" + DumpJson(TrialsJson(trials));
+}
+
+std::string IndividualLine(
+    const Individual& one,
+    const std::vector<std::vector<StoredTrial>>& trials) {
   Json json;
   json["id"] = one.id;
   json["generation"] = one.generation;
@@ -52,8 +60,8 @@ std::string IndividualLine(const Individual& one) {
     if (!seasons.empty()) seasons += ',';
     seasons += SeasonJson(one.genotype, season);
   }
-  return fmt::format("{{\"individual\":{},\"seasons\":[{}]}}}}\n", text,
-                     seasons);
+  return fmt::format("{{\"individual\":{},\"seasons\":[{}]{}}}}}\n", text,
+                     seasons, TrialsText(trials));
 }
 
 std::string GenerationLine(const GenerationRecord& record,
@@ -96,7 +104,12 @@ MaybeFailure WriteJsonl(const std::string& run, const Sink& sink) {
       if (!damage) damage = one.error();
       continue;
     }
-    if (auto failure = sink(IndividualLine(*one))) return failure;
+    const auto trials = store.TrialsOf(id);
+    if (!trials) {
+      if (!damage) damage = trials.error();
+      continue;
+    }
+    if (auto failure = sink(IndividualLine(*one, *trials))) return failure;
   }
   const auto censuses = store.Censuses();
   for (const int number : health->generations) {

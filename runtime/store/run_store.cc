@@ -77,13 +77,17 @@ std::map<std::string, int> SeasonIds(const Experiment& experiment) {
 MaybeFailure CheckCanGrow(const std::string& path, int schema,
                           const Versions& versions) {
   if (schema == kSchemaVersion) return std::nullopt;
+  const auto missing = MissingMeasures(schema);
+  const std::string lacks =
+      missing.empty()
+          ? "it has no table of trials"
+          : fmt::format(
+                "its lives lack {}, which cannot be added to them any more",
+                fmt::join(missing, ", "));
   return fmt::format(
-      "'{}' is a store of schema {}, and this program's have {}: its lives "
-      "lack "
-      "{}, which cannot be added to them any more, so it can be read only; the "
-      "program that began it (plsc {}) goes on with it",
-      path, schema, kSchemaVersion, fmt::join(MissingMeasures(schema), ", "),
-      versions.plsc);
+      "'{}' is a store of schema {}, and this program's have {}: {}, so it can "
+      "be read only; the program that began it (plsc {}) goes on with it",
+      path, schema, kSchemaVersion, lacks, versions.plsc);
 }
 
 bool HasDied(const Evaluation& evaluation) {
@@ -105,6 +109,7 @@ struct RunStore::Parts {
   RunLock lock;
   Database database;
   std::unique_ptr<RunReader> reader;
+  std::unique_ptr<TrialRows> trials;
   std::unique_ptr<RowChecks> checks;
   std::unique_ptr<RunWriter> writer;
   std::int64_t session = 0;  // its row
@@ -134,6 +139,7 @@ MaybeFailure RunStore::Parts::Connect(Database::Mode mode) {
       return failure;
   if (MaybeFailure failure = ReadRun()) return failure;
   reader = std::make_unique<RunReader>(database);
+  trials = std::make_unique<TrialRows>(database);
   checks = std::make_unique<RowChecks>(database);
   if (mode != Database::Mode::kRead)
     writer = std::make_unique<RunWriter>(database, *reader, experiment,
@@ -228,6 +234,7 @@ void RunStore::Discard() {
   Parts& parts = *parts_;
   parts.writer.reset();
   parts.checks.reset();
+  parts.trials.reset();
   parts.reader.reset();
   parts.database.Close();
   if (parts.is_new && parts.lock.IsOn(parts.path))
@@ -249,6 +256,7 @@ MaybeFailure RunStore::Close() {
   }
   parts.writer.reset();
   parts.checks.reset();
+  parts.trials.reset();
   parts.reader.reset();
   parts.database.Close();
   parts.lock.Release();
@@ -336,6 +344,32 @@ Expected<Individual, Failure> RunStore::Find(int id) {
   if (MaybeFailure failure = parts_->checks->Robot(experiment(), id))
     return *failure;
   return parts_->OrFailure(parts_->reader->FindIndividual(id));
+}
+
+Expected<Individual, Failure> RunStore::FindFirstLife(int id) {
+  Expected<Individual, Failure> one = Find(id);
+  if (!one) return one;
+  const auto trials = parts_->trials->Find(id);
+  for (std::size_t i = 0; i < trials.size(); ++i) {
+    SeasonResult& season = one->evaluation.seasons.at(i);
+    const StoredTrial& first = trials[i].front();
+    one->disturbances.push_back(first.disturbance);
+    // Of a death there is nothing but that.
+    if (season.outcome == Outcome::kWorkerDied) continue;
+    season.outcome = first.outcome;
+    season.reason = first.reason;
+    season.fitness = first.fitness;
+  }
+  return parts_->OrFailure(std::move(*one));
+}
+
+Expected<std::vector<std::vector<StoredTrial>>, Failure> RunStore::TrialsOf(
+    int id) {
+  assert(parts_->reader);
+  const Transaction instant(parts_->database);
+  if (MaybeFailure failure = parts_->checks->Robot(experiment(), id))
+    return *failure;
+  return parts_->OrFailure(parts_->trials->Find(id));
 }
 
 Expected<std::int64_t, Failure> RunStore::ChecksumOfRun() {

@@ -23,6 +23,7 @@
 #include "runtime/life/simulated.h"
 #include "runtime/store/census.h"
 #include "runtime/store/session.h"
+#include "runtime/store/trial_rows.h"
 #include "runtime/store/versions.h"
 
 namespace plsc {
@@ -93,6 +94,12 @@ class RunStore : public RunObserver, public SimulationCache {
   /// With its evaluation, if it has one, every field as it was, bit for bit
   /// (but that -0 became 0).
   Expected<Individual, Failure> Find(int id);
+  /// As Find, but of its first life alone: what disturbed it, and its own
+  /// fitness and outcome, in place of those over all trials. This is the life
+  /// that EvidenceOf is of.
+  Expected<Individual, Failure> FindFirstLife(int id);
+  /// By season and trial; empty in runs without trials and noise.
+  Expected<std::vector<std::vector<StoredTrial>>, Failure> TrialsOf(int id);
   /// Which run it is: under its experiment, constants and versions, of which
   /// all else is a function.
   Expected<std::int64_t, Failure> ChecksumOfRun();

@@ -178,10 +178,11 @@ RunWriter::RunWriter(Database& database, RunReader& reader,
                                 "simulation", "profile", "begin", "inclination",
                                 "sensed", "sources", "change", "change_reason",
                                 "outcome", "reason", "fitness", "checksum"})),
-      remove_lost_(database,
-                   "DELETE FROM evaluation WHERE individual = ? AND EXISTS("
-                   "SELECT 1 FROM evaluation WHERE individual = ? "
-                   "AND outcome = 'worker_died')"),
+      find_lost_(database,
+                 "SELECT count(*) FROM evaluation WHERE individual = ? "
+                 "AND outcome = 'worker_died'"),
+      remove_(database, "DELETE FROM evaluation WHERE individual = ?"),
+      trials_(database, true),
       sum_evaluation_(database,
                       "UPDATE evaluation SET checksum = ? "
                       "WHERE individual = ? AND season = ?"),
@@ -257,7 +258,13 @@ MaybeFailure RunWriter::Evaluated(const Individual& one,
   Transaction transaction(database_);
   // A resumed run tries again what a worker died of; only such evaluations may
   // be replaced.
-  remove_lost_.With(one.id, one.id).Run();
+  const bool is_lost =
+      find_lost_.With(one.id).Next() && find_lost_.TakeInteger() > 0;
+  find_lost_.Run();
+  if (is_lost) {
+    remove_.With(one.id).Run();
+    trials_.Remove(one.id);
+  }
   const std::vector<SeasonResult>& results = one.evaluation.seasons;
   for (std::size_t i = 0; i < results.size(); ++i)
     AddSeason(one.id, results[i],
@@ -278,6 +285,12 @@ void RunWriter::AddSeason(int individual, const SeasonResult& result,
   const bool has_simulation = HasSimulation(result, evidence);
   if (has_phenotype) AddPhenotype(result, evidence);
   if (has_simulation) AddSimulation(evidence);
+  for (const Trial& trial : evidence.trials) {
+    if (HasPhenotype(trial.evidence))
+      AddPhenotype(trial.result, trial.evidence);
+    if (plsc::HasSimulation(trial)) AddSimulation(trial.evidence);
+  }
+  trials_.Add(individual, season->second, evidence.trials);
   evaluation_
       .With(individual, season->second,
             HexOf(evidence.phenotype, has_phenotype),

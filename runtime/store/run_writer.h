@@ -15,6 +15,7 @@
 #include "runtime/store/database.h"
 #include "runtime/store/run_reader.h"
 #include "runtime/store/session.h"
+#include "runtime/store/trial_rows.h"
 
 namespace plsc {
 
@@ -61,7 +62,9 @@ class RunWriter {
   Statement phenotype_;
   Statement simulation_;
   Statement evaluation_;
-  Statement remove_lost_;
+  Statement find_lost_;
+  Statement remove_;
+  TrialRows trials_;
   Statement sum_evaluation_;
   Statement generation_;
   Statement sum_generation_;

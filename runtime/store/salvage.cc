@@ -18,6 +18,7 @@
 #include "runtime/store/database.h"
 #include "runtime/store/run_reader.h"
 #include "runtime/store/schema.h"
+#include "runtime/store/trial_rows.h"
 #include "runtime/store/verify.h"
 
 namespace plsc {
@@ -58,11 +59,12 @@ MaybeFailure Salvage::Open(const std::string& path) {
     }
     database.TakeFailure();  // then there is no experiment
   }
-  if (schema_ < kSchemaVersion) return std::nullopt;
+  if (!MissingMeasures(schema_).empty()) return std::nullopt;
   Statement evaluation(database,
                        "SELECT checksum FROM evaluation WHERE individual = ? "
                        "ORDER BY season");
   RunReader reader(database);
+  TrialRows trials(database);
   if (MaybeFailure failure = database.TakeFailure()) return failure;
   // One by one, because a damaged page ends every query that meets it. Without
   // an experiment the end is not known; then as many as a run can have.
@@ -72,6 +74,7 @@ MaybeFailure Salvage::Open(const std::string& path) {
   for (int id = 1; id <= static_cast<int>(last); ++id) {
     const std::vector<std::int64_t> sums = SumsOf(evaluation, id);
     const std::vector<SeasonEvidence> evidence = reader.FindEvidence(id);
+    const auto lived = trials.Find(id);
     const bool is_readable =
         !database.TakeFailure() && sums.size() == evidence.size();
     for (std::size_t i = 0; is_readable && i < sums.size(); ++i) {
@@ -80,9 +83,17 @@ MaybeFailure Salvage::Open(const std::string& path) {
       if (database.TakeFailure() || !is_whole) continue;
       if (evidence[i].simulation != Key{})
         known_.emplace(evidence[i].simulation, evidence[i].simulated);
+      if (i < lived.size()) TakeTrials(lived[i], reader);
     }
   }
   return std::nullopt;
+}
+
+void Salvage::TakeTrials(const std::vector<StoredTrial>& trials,
+                         RunReader& reader) {
+  for (const StoredTrial& trial : trials)
+    if (auto simulated = reader.FindSimulation(trial.simulation))
+      known_.emplace(trial.simulation, std::move(*simulated));
 }
 
 std::optional<Simulated> Salvage::Find(const Key& key) {

@@ -18,6 +18,9 @@
 
 namespace plsc {
 
+class RunReader;
+struct StoredTrial;
+
 class Salvage : public SimulationCache {
  public:
   /// Reads all there is. Why it is of no use at all, or nothing.
@@ -26,8 +29,8 @@ class Salvage : public SimulationCache {
   /// What the run is and who began it, if that can be trusted.
   const std::optional<Experiment>& experiment() const { return experiment_; }
   const Versions& versions() const { return versions_; }
-  /// Of the file (schema.h). Of an older one no simulation can be used: it
-  /// lacks MissingMeasures, and a run would have them where it simulated only.
+  /// Of the file (schema.h). Where one lacks MissingMeasures no simulation can
+  /// be used: a run would have them where it simulated only.
   int schema() const { return schema_; }
   /// Simulated seasons that can be used.
   std::size_t size() const { return known_.size(); }
@@ -37,6 +40,8 @@ class Salvage : public SimulationCache {
   MaybeFailure Add(const Key& key, const Simulated& simulated) override;
 
  private:
+  void TakeTrials(const std::vector<StoredTrial>& trials, RunReader& reader);
+
   std::map<Key, Simulated> known_;
   std::optional<Experiment> experiment_;
   Versions versions_;

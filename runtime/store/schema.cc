@@ -145,6 +145,27 @@ constexpr const char* kEvaluation = R"sql(CREATE TABLE evaluation(
   checksum INTEGER NOT NULL,
   PRIMARY KEY (individual, season)) WITHOUT ROWID)sql";
 
+constexpr const char* kTrial = R"sql(CREATE TABLE trial(
+  individual INTEGER NOT NULL REFERENCES individual,
+  season INTEGER NOT NULL REFERENCES season,
+  number INTEGER NOT NULL,  -- from 1
+  phenotype TEXT REFERENCES phenotype,  -- NULL: no robot developed
+  simulation TEXT REFERENCES simulation,  -- NULL: nothing to simulate
+  outcome TEXT NOT NULL,
+  reason TEXT NOT NULL,
+  fitness REAL,  -- m/s; NULL is worse than any number
+  lift REAL NOT NULL,  -- m; how this life was disturbed
+  shift_x REAL NOT NULL,  -- m
+  shift_y REAL NOT NULL,  -- m
+  yaw REAL NOT NULL,  -- rad
+  friction REAL NOT NULL,  -- factor
+  lean REAL NOT NULL,  -- rad
+  touch REAL NOT NULL,  -- probability
+  touch_seed TEXT NOT NULL,  -- decimal
+  motor REAL NOT NULL,  -- rad
+  motor_seed TEXT NOT NULL,  -- decimal
+  PRIMARY KEY (individual, season, number)) WITHOUT ROWID)sql";
+
 constexpr const char* kGeneration = R"sql(CREATE TABLE generation(
   number INTEGER PRIMARY KEY,  -- from 0; a row when it is completed
   best INTEGER NOT NULL REFERENCES individual,
@@ -244,7 +265,7 @@ std::vector<SchemaItem> MakeSchema(int version) {
   const auto view = [](const char* name, std::string sql) {
     return SchemaItem{name, std::move(sql), SchemaKind::kView, true, ""};
   };
-  return {
+  std::vector<SchemaItem> items = {
       table("run", fmt::format(kRun, version < 2 ? "" : kRunResults), "id"),
       table("season", kSeason, "id"),
       table("physics", kPhysics, "season, name"),
@@ -270,13 +291,20 @@ std::vector<SchemaItem> MakeSchema(int version) {
       view("population", kPopulation),
       view("next", kNext),
   };
+  // After what it refers to.
+  const auto members =
+      std::find_if(items.begin(), items.end(),
+                   [](const SchemaItem& one) { return one.name == "member"; });
+  if (version >= 4)
+    items.insert(members, table("trial", kTrial, "individual, season, number"));
+  return items;
 }
 
 }  // namespace
 
 const std::vector<SchemaItem>& Schema(int version) {
   static const std::vector<SchemaItem> all[] = {MakeSchema(1), MakeSchema(2),
-                                                MakeSchema(3)};
+                                                MakeSchema(3), MakeSchema(4)};
   static_assert(std::size(all) == kSchemaVersion);
   assert(version >= kOldestSchema && version <= kSchemaVersion);
   return all[version - kOldestSchema];

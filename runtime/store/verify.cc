@@ -45,6 +45,16 @@ std::string Nulls(const std::vector<std::string>& columns) {
   return text;
 }
 
+/// Of a store that has no trials: the table without a row.
+void AddTrials(Database& database) {
+  database.Run(
+      "CREATE TEMP VIEW IF NOT EXISTS trial AS SELECT 0 AS individual, 0 AS "
+      "season, 0 AS number, NULL AS phenotype, NULL AS simulation, '' AS "
+      "outcome, '' AS reason, NULL AS fitness, 0 AS lift, 0 AS shift_x, 0 AS "
+      "shift_y, 0 AS yaw, 0 AS friction, 0 AS lean, 0 AS touch, '' AS "
+      "touch_seed, 0 AS motor, '' AS motor_seed WHERE 0");
+}
+
 /// What the older schema lacks is there for this connection, so that all
 /// queries are of one schema; what it cannot be known any more is NULL. Nothing
 /// of it gets into the file.
@@ -55,6 +65,7 @@ void AddWhatIsNew(Database& database, int version) {
                     "SELECT *{1} FROM main.{0}",
                     table, more));
   };
+  if (version < 4) AddTrials(database);
   if (version < 2) add("run", ", 1 AS results");
   if (version >= 3) return;
   add("simulation", Nulls(MissingMeasures(version)));

@@ -41,7 +41,9 @@ const DimensionInfo& InfoOf(Dimension dimension) {
   static const std::vector<DimensionInfo> infos = {
       {"a number", "0.5", {}},
       {"a time", "50 s", {{"s"}, {"ms", 1, 1000}, {"min", 60}}},
-      {"a length", "0.03 m", {{"m"}, {"cm", 1, 100}, {"mm", 1, 1000}}},
+      {"a length",
+       "0.03 m",
+       {{"m"}, {"cm", 1, 100}, {"mm", 1, 1000}, {"um", 1, 1e6}}},
       {"an angle", "5 deg", {{"deg", std::numbers::pi, 180}, {"rad"}}},
       {"an angular speed",
        "1 rad/s",
@@ -89,7 +91,6 @@ constexpr Alias kAliases[] = {
     {"meters", "m"},
     {"metres", "m"},
     {"km", "m", 1000},
-    {"um", "mm", 0.001},
     {"degree", "deg"},
     {"degrees", "deg"},
     {"\u00B0", "deg"},

@@ -21,6 +21,8 @@ enum class Purpose : std::uint64_t {
   kCrossover = 2,
   kMutate = 3,
   kSelectSurvivors = 4,
+  /// Of a life: the two numbers between are of a name (evolve/trials).
+  kDisturb = 5,
   kRelive = 6,
   kBootstrap = 7,  ///< of a claim's interval, in a report
 };

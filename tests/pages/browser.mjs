@@ -51,13 +51,16 @@ async function launch() {
 // What a GPU that is none has to say is not the page's doing.
 const notOurs = /swiftshader|GPU stall|GL Driver Message|Automatic fallback to software WebGL/i;
 
-// Opens the file and calls use(page); size is desktop or phone. `prepare` runs
-// in the page before any script of its own; `hash` is where it is opened at.
+// Opens the file, or what a server of this test has (http://), and calls
+// use(page); size is desktop or phone. `prepare` runs in the page before any
+// script of its own; `hash` is where it is opened at.
 export async function withPage(file, size, use, { prepare, hash = "" } = {}) {
   const context = await (await launch()).newContext({ viewport: size, acceptDownloads: true });
   if (prepare) await context.addInitScript(prepare);
   const page = await context.newPage();
-  const url = pathToFileURL(file).href;
+  const isServed = file.startsWith("http://127.0.0.1:");
+  const url = isServed ? file : pathToFileURL(file).href;
+  const isOurs = (asked) => asked.split("#")[0] === url || /^(data|blob):/.test(asked) || (isServed && asked.startsWith(url));
   const wrongs = [];
   page.on("console", (message) => {
     if (["error", "warning"].includes(message.type()) && !notOurs.test(message.text()))
@@ -65,7 +68,7 @@ export async function withPage(file, size, use, { prepare, hash = "" } = {}) {
   });
   page.on("pageerror", (error) => wrongs.push(`exception: ${error.stack}`));
   page.on("request", (request) => {
-    if (request.url().split("#")[0] !== url && !/^(data|blob):/.test(request.url())) wrongs.push(`request: ${request.url()}`);
+    if (!isOurs(request.url())) wrongs.push(`request: ${request.url()}`);
   });
   page.on("dialog", (dialog) => {
     wrongs.push(`dialog: ${dialog.message()}`); // a script of somebody's name ran

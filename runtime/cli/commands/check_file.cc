@@ -10,6 +10,7 @@
 #include "runtime/advice/lint.h"
 #include "runtime/cli/files/file_kind.h"
 #include "runtime/compare/golden_json.h"
+#include "runtime/evolve/trials_yaml.h"
 #include "runtime/recording/recording_json.h"
 #include "runtime/report/digest.h"
 
@@ -53,11 +54,13 @@ std::string SeasonsOf(const Scenario& scenario) {
 }
 
 std::string ContentsOf(const Experiment& experiment) {
+  const std::string trials = DescribeTrials(experiment.trials);
   return fmt::format(
-      "experiment{}, population {} + {}, {}, {}, {}", Named(experiment.name),
-      experiment.population, experiment.offspring,
+      "experiment{}, population {} + {}, {}, {}, {}{}{}",
+      Named(experiment.name), experiment.population, experiment.offspring,
       Plural(experiment.generations, "generation"),
-      Plural(Evaluations(experiment), "robot"), SeasonsOf(experiment.scenario));
+      Plural(Evaluations(experiment), "robot"), SeasonsOf(experiment.scenario),
+      trials.empty() ? "" : ", ", trials);
 }
 
 std::string ContentsOf(const Study& study) {

@@ -60,7 +60,7 @@ Expected<std::vector<Stored>, Failure> Load(RunStore& store,
                                             std::span<const int> ids) {
   std::vector<Stored> batch;
   for (const int id : ids) {
-    Expected<Individual, Failure> one = store.Find(id);
+    Expected<Individual, Failure> one = store.FindFirstLife(id);
     if (!one) return one.error();
     if (one->evaluation.seasons.empty())
       return Failure(fmt::format("{} is not evaluated yet", id));

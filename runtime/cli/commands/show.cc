@@ -8,11 +8,14 @@
 #include "grammar/shown_line.h"
 #include "runtime/cli/arguments/runs.h"
 #include "runtime/cli/commands/robot_text.h"
+#include "runtime/cli/commands/trials_text.h"
 #include "runtime/cli/files/open_run.h"
+#include "runtime/evolve/trials_yaml.h"
 #include "runtime/life/season_json.h"
 #include "runtime/store/census_json.h"
 #include "runtime/store/heritage_json.h"
 #include "runtime/store/lock.h"
+#include "runtime/store/trials_json.h"
 #include "runtime/store/verify.h"
 #include "runtime/text/json_dump.h"
 
@@ -70,7 +73,9 @@ Json FitnessesJson(const SeasonFitnesses& fitnesses) {
   return json;
 }
 
-Json IndividualJson(const Individual& one,
+using Trials = std::vector<std::vector<StoredTrial>>;
+
+Json IndividualJson(const Individual& one, const Trials& trials,
                     const std::vector<Ancestor>& lineage) {
   const auto heritage_of = [&](const Heritage& heritage) {
     return HeritageJson(heritage, *one.genotype.alphabet, one.genotype.states);
@@ -83,6 +88,7 @@ Json IndividualJson(const Individual& one,
   json["seasons"] = Json::array();
   for (const SeasonResult& season : one.evaluation.seasons)
     json["seasons"].push_back(Json::parse(SeasonJson(one.genotype, season)));
+  if (!trials.empty()) json["trials"] = TrialsJson(trials);
   json["lineage"] = Json::array();
   for (const Ancestor& ancestor : lineage) {
     Json of;
@@ -108,15 +114,18 @@ Exit ShowIndividual(const ShowCommand& command, RunStore& store, Io& io) {
   const Expected<std::vector<Ancestor>, Failure> lineage =
       store.Lineage(*id, command.lineage);
   if (!lineage) return Complain(lineage.error(), io);
+  const Expected<Trials, Failure> trials = store.TrialsOf(*id);
+  if (!trials) return Complain(trials.error(), io);
   if (command.format == OutputFormat::kJson) {
-    io.out << DumpJson(IndividualJson(*one, *lineage)) << '\n';
+    io.out << DumpJson(IndividualJson(*one, *trials, *lineage)) << '\n';
     return Exit::kFine;
   }
   const Alphabet& alphabet = *one->genotype.alphabet;
   io.out << fmt::format(
-      "{} of generation {}: {}\n\nlineage:\n{}\n{}\n{}", one->genotype.name,
+      "{} of generation {}: {}\n\nlineage:\n{}\n{}\n{}{}", one->genotype.name,
       one->generation, Origin(one->heritage, alphabet),
-      LineageText(*lineage, alphabet), Print(one->genotype), SeasonsText(*one));
+      LineageText(*lineage, alphabet), Print(one->genotype), SeasonsText(*one),
+      TrialsText(store.experiment(), *trials));
   return Exit::kFine;
 }
 
@@ -144,6 +153,8 @@ void PrintRunJson(const ShowCommand& command, const RunStore& store,
   json["best"] = status.best == 0 ? Json(nullptr) : Json(status.best);
   json["census"] =
       standing.census ? CensusJson(*standing.census) : Json(nullptr);
+  const std::string lives = DescribeTrials(experiment.trials);
+  json["lives"] = lives.empty() ? Json(nullptr) : Json(lives);
   json["schema"] = store.schema();
   json["versions"] = {{"plsc", store.versions().plsc},
                       {"ode", store.versions().ode},
@@ -166,6 +177,9 @@ void PrintRunText(const RunStore& store, const Standing& standing,
       standing.worker.empty() ? "" : " by " + Escaped(standing.worker),
       status.generations, experiment.generations, status.evaluations,
       Evaluations(experiment));
+  if (const std::string trials = DescribeTrials(experiment.trials);
+      !trials.empty())
+    out << fmt::format("lives: {}\n", trials);
 }
 
 /// How alike the robots of the last generation are, and how plastic.

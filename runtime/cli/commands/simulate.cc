@@ -199,7 +199,7 @@ void PrintSeason(const SimulateCommand& command, const SeasonLife& life,
 struct ToLive {
   Genotype genotype;
   Scenario scenario;
-  Senses inherited;
+  Circumstances circumstances;
 };
 
 Expected<ToLive, Exit> FindInRun(const SimulateCommand& command, Io& io) {
@@ -207,8 +207,10 @@ Expected<ToLive, Exit> FindInRun(const SimulateCommand& command, Io& io) {
   if (!found) return found.error();
   auto& [one, scenario] = *found;
   if (command.scenario.empty())
-    return ToLive{std::move(one.genotype), std::move(scenario),
-                  std::move(one.heritage.senses)};
+    return ToLive{
+        std::move(one.genotype),
+        std::move(scenario),
+        {std::move(one.heritage.senses), std::move(one.disturbances)}};
   // Another world is another life, without parents.
   auto other = LoadScenario(command.scenario, io);
   if (!other) return Exit::kBadInput;
@@ -226,9 +228,9 @@ Expected<ToLive, Exit> Find(const SimulateCommand& command, Io& io) {
 }
 
 Record LiveAll(const SimulateCommand& command, const ToLive& one, Io& io) {
-  const auto& [genotype, scenario, inherited] = one;
+  const auto& [genotype, scenario, circumstances] = one;
   const bool is_recording = !command.record.empty() || !command.svg.empty();
-  RecordedLife lived(genotype, scenario, inherited, is_recording, io);
+  RecordedLife lived(genotype, scenario, circumstances, is_recording, io);
   Record record;
   while (!lived.is_over()) {
     const SeasonLife life = lived.Next();
@@ -250,7 +252,7 @@ Exit Run(const SimulateCommand& command, Io& io) {
   auto found = Find(command, io);
   if (!found) return found.error();
   if (!UseEngine(command.engine, found->scenario, io)) return Exit::kBadInput;
-  const auto& [genotype, scenario, inherited] = *found;
+  const auto& [genotype, scenario, circumstances] = *found;
   if (!CanLive(scenario, genotype, io) || !CanWriteAll(command, scenario, io))
     return Exit::kBadInput;
 

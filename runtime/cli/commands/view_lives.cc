@@ -31,6 +31,7 @@ struct LifeToView {
   Genotype genotype;
   Scenario scenario;
   Senses inherited;
+  Disturbances disturbances;
   std::string run;  ///< whose life it is again; empty: of none
   Versions versions;
   std::vector<SeasonResult> stored;
@@ -86,7 +87,7 @@ std::optional<Viewed> LoadGenotype(const std::string& path,
   if (!program || !CanLive(scenario, program->genotype, io))
     return std::nullopt;
   return LifeToView{
-      FileName(path), program->genotype, scenario, {}, "", {}, {}};
+      FileName(path), program->genotype, scenario, {}, {}, "", {}, {}};
 }
 
 /// `engine`: as ViewCommand's.
@@ -108,7 +109,7 @@ bool LoadRobots(const ViewInput& input, std::optional<EngineKind> engine,
   // A life of another engine is not the one of the run.
   const bool is_replay = scenario == as_stored;
   for (const int id : *ids) {
-    Expected<Individual, Failure> one = store.Find(id);
+    Expected<Individual, Failure> one = store.FindFirstLife(id);
     if (!one) {
       Complain(one.error(), io);
       return false;
@@ -118,7 +119,8 @@ bool LoadRobots(const ViewInput& input, std::optional<EngineKind> engine,
     // Nobody who was bred for another scenario is in a store.
     viewed.emplace_back(
         LifeToView{source, std::move(one->genotype), scenario,
-                   std::move(one->heritage.senses), is_replay ? input.path : "",
+                   std::move(one->heritage.senses),
+                   std::move(one->disturbances), is_replay ? input.path : "",
                    store.versions(), std::move(one->evaluation.seasons)});
   }
   return true;
@@ -157,7 +159,8 @@ std::string RemarkOn(const LifeToView& one,
 }
 
 std::optional<ViewedLife> LiveNow(const LifeToView& one, Io& io) {
-  RecordedLife life(one.genotype, one.scenario, one.inherited, true, io);
+  RecordedLife life(one.genotype, one.scenario,
+                    {one.inherited, one.disturbances}, true, io);
   std::vector<SeasonResult> results;
   while (!life.is_over()) {
     results.push_back(life.Next().result);

@@ -12,11 +12,13 @@
 namespace plsc::cli {
 
 RecordedLife::RecordedLife(const Genotype& genotype, const Scenario& scenario,
-                           const Senses& inherited, bool is_recording, Io& io)
+                           const Circumstances& circumstances,
+                           bool is_recording, Io& io)
     : scenario_(scenario),
       is_recording_(is_recording),
       watch_(scenario_, io.err_is_terminal ? &io.err : nullptr, is_recording),
-      life_(genotype, scenario_, &watch_, inherited),
+      life_(genotype, scenario_, &watch_, circumstances.inherited,
+            circumstances.disturbances),
       recording_{genotype.name, Print(genotype), PrintScenario(scenario_), {}} {
 }
 

@@ -12,12 +12,18 @@
 
 namespace plsc::cli {
 
+/// What a life hangs on beside the genotype and the scenario.
+struct Circumstances {
+  Senses inherited;
+  Disturbances disturbances;
+};
+
 class RecordedLife {
  public:
   /// Shows progress if standard error is a terminal. Without `is_recording`
   /// the recording has no seasons.
   RecordedLife(const Genotype& genotype, const Scenario& scenario,
-               const Senses& inherited, bool is_recording, Io& io);
+               const Circumstances& circumstances, bool is_recording, Io& io);
 
   bool is_over() const { return life_.is_over(); }
   /// Lives the next season.

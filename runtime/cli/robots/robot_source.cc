@@ -89,7 +89,7 @@ Expected<RobotOfRun, Exit> FindInStore(const std::string& run,
     return Complain(*failure, io);
   const Expected<int, Failure> id = IdOf(store, individual);
   if (!id) return Complain(id.error(), io);
-  Expected<Individual, Failure> one = store.Find(*id);
+  Expected<Individual, Failure> one = store.FindFirstLife(*id);
   if (!one) return Complain(one.error(), io);
   return RobotOfRun{std::move(*one), store.experiment().scenario};
 }
@@ -131,12 +131,6 @@ bool CanLive(const Scenario& scenario, const Genotype& genotype, Io& io) {
   for (const Diagnostic& problem : problems)
     io.err << fmt::format("error: {}\n", Escaped(problem.message));
   return problems.empty();
-}
-
-std::string SensesOf(const NamedEnvironment& named,
-                     const std::vector<State>& states) {
-  std::string senses = PrintEnvironment(named.environment, states);
-  return senses == named.name ? std::string() : senses;
 }
 
 }  // namespace plsc::cli

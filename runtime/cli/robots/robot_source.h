@@ -40,7 +40,7 @@ struct RobotFound {
 /// robot lived to develop in.
 Expected<RobotFound, Exit> FindRobot(const RobotAsked& asked, Io& io);
 
-/// Somebody of a run, and how it lives there.
+/// Somebody of a run, and how it lives there: its first life of several.
 struct RobotOfRun {
   Individual individual;
   Scenario scenario;
@@ -56,9 +56,5 @@ bool IsRobotNamed(const std::string& file, const std::string& individual,
 /// Whether the genotype has a body to simulate and every season says what it
 /// senses and cannot feel. Prints what is wrong.
 bool CanLive(const Scenario& scenario, const Genotype& genotype, Io& io);
-
-/// What is sensed, unless the name says it.
-std::string SensesOf(const NamedEnvironment& named,
-                     const std::vector<State>& states);
 
 }  // namespace plsc::cli

@@ -77,7 +77,7 @@ Expected<EngineCheck, Failure> CheckByEngine(RunStore& store,
                                problem->message));
   std::vector<Individual> robots;
   for (const int id : ids) {
-    Expected<Individual, Failure> one = store.Find(id);
+    Expected<Individual, Failure> one = store.FindFirstLife(id);
     if (!one) return one.error();
     if (one->evaluation.seasons.empty())
       return Failure(fmt::format("{} is not evaluated yet", id));

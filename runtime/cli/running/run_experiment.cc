@@ -105,12 +105,11 @@ MaybeFailure OpenSalvage(RunRequest& request, Salvage& salvage, Io& io) {
         "--allow-other-version)",
         request.salvage, VersionsText(salvage.versions()), VersionsText(own));
   if (own_experiment) request.experiment = own_experiment;
-  if (salvage.schema() < kSchemaVersion)
+  if (const auto missing = MissingMeasures(salvage.schema()); !missing.empty())
     io.err << fmt::format(
         "'{}' is a store of schema {}, whose simulations lack {}: all are made "
         "again\n",
-        request.salvage, salvage.schema(),
-        fmt::join(MissingMeasures(salvage.schema()), ", "));
+        request.salvage, salvage.schema(), fmt::join(missing, ", "));
   else
     io.err << fmt::format("{} simulated seasons of '{}' can be used\n",
                           salvage.size(), request.salvage);

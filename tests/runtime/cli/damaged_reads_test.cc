@@ -69,7 +69,7 @@ std::optional<std::string> OutputOf(const std::vector<std::string>& arguments,
   if (std::filesystem::exists(page)) text += ReadFile(page);
   if (std::filesystem::exists(tables))
     for (const char* name : {"constants", "generations", "individuals",
-                             "members", "results", "robots", "run"})
+                             "members", "results", "robots", "run", "trials"})
       text += ReadFile((tables / (std::string(name) + ".csv")).string());
   return text;
 }

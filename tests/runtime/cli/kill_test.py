@@ -34,6 +34,11 @@ scenario:
     - {name: again, terrain: flat, duration: 3 s}
 """
 
+# Of every robot three lives a season, each a row.
+TRIED = EXPERIMENT.replace("name: killed", "name: tried").replace(
+    "scenario:", "profile: swift\ntrials: 3\nown_lives: True\n"
+    "noise: {start_height: 30 um, motor: 1 deg}\nscenario:")
+
 
 def tables(path):
     """All result tables as text; what depends on the clock is in `session`."""
@@ -84,20 +89,25 @@ def evaluations(path):
         return 0
 
 
-def test_kills(folder, experiment, expected, seconds):
-    """SIGKILL at instants spread over the whole run, which takes so many
-    seconds, from the first file access on: several times in each."""
+def test_kills(folder, experiment, wanted):
+    """SIGKILL at instants spread over the whole run, from the first file access
+    on: several times in each."""
+    straight = folder / f"{experiment.stem}.sqlite"
+    began = time.monotonic()
+    finish(experiment, "-o", straight, "--jobs", "1")
+    seconds = time.monotonic() - began
+    expected = tables(straight)
     chance = random.Random(5)
     kills = runs = 0
-    while kills < KILLS:
+    while kills < wanted:
         runs += 1
-        path = folder / f"killed{runs}.sqlite"
+        path = folder / f"{experiment.stem}_killed{runs}.sqlite"
         finished = False
         while not finished:
             process = evolve(experiment, "-o", path, "--or-resume")
             try:
                 process.wait(timeout=chance.uniform(0, seconds / 3)
-                             if kills < KILLS else None)
+                             if kills < wanted else None)
                 finished = True
             except subprocess.TimeoutExpired:
                 process.send_signal(signal.SIGKILL)
@@ -106,6 +116,7 @@ def test_kills(folder, experiment, expected, seconds):
             assert not finished or process.returncode == 0, (out, err)
         assert tables(path) == expected, f"run {runs} differs"
     print(f"{kills} kills in {runs} runs: equal tables")
+    return expected
 
 
 def test_signals(folder, experiment, expected):
@@ -243,14 +254,12 @@ def test_limits(folder, experiment, expected):
 def main():
     folder = pathlib.Path(tempfile.mkdtemp(prefix="plsc_kill_"))
     try:
-        experiment = folder / "experiment.yaml"
+        experiment = folder / "straight.yaml"
         experiment.write_text(EXPERIMENT)
-        straight = folder / "straight.sqlite"
-        began = time.monotonic()
-        finish(experiment, "-o", straight, "--jobs", "1")
-        seconds = time.monotonic() - began
-        expected = tables(straight)
-        test_kills(folder, experiment, expected, seconds)
+        expected = test_kills(folder, experiment, KILLS)
+        tried = folder / "tried.yaml"
+        tried.write_text(TRIED)
+        assert "trial: 540\n" in test_kills(folder, tried, KILLS // 4)
         test_signals(folder, experiment, expected)
         test_dead_worker(folder, experiment, expected)
         test_second_process(folder, experiment)

@@ -177,6 +177,14 @@ def main():
     usable = len(os.sched_getaffinity(0))
     check(2 <= workers <= max(2, usable), f"{workers} workers, {usable} cores")
 
+    pathlib.Path("tried.yaml").write_text(
+        short + "profile: swift\ntrials: 3\nnoise: {start_height: 30 um}\n")
+    tried = (PLSC, "evolve", "tried.yaml")
+    trials = evolved("tried1.sqlite", (*tried, "--jobs", "1"))
+    check('"trials":[[{' in trials, "no trials are exported")
+    check(evolved("tried3.sqlite", (*mpirun(3), *tried)) == trials,
+          "three ranks leave other trials")
+
     wrong = run(*mpirun(2), PLSC, "evolve", "none.yaml", "-o", "none.sqlite")
     check(wrong.returncode == 1 and wrong.stdout.count("'none.yaml'") == 1,
           f"one rank alone says what is wrong: {wrong.stdout}")

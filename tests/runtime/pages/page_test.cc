@@ -40,9 +40,18 @@ TEST_CASE("A page may load nothing", "[page]") {
   CHECK(Count(page, "@import") == 0);
 }
 
+TEST_CASE("A live page may run a module and ask its server, others may not",
+          "[page]") {
+  for (const char* right :
+       {"'wasm-unsafe-eval'", "worker-src blob:", "connect-src 'self'"}) {
+    CHECK(Count(PageHtml(PageKind::kLive, "", "{}"), right) == 1);
+    CHECK(Count(PageHtml(PageKind::kView, "", "{}"), right) == 0);
+  }
+}
+
 TEST_CASE("Every page has its program, if this was built with npm", "[page]") {
-  for (const PageKind kind :
-       {PageKind::kReport, PageKind::kView, PageKind::kExplain}) {
+  for (const PageKind kind : {PageKind::kReport, PageKind::kView,
+                              PageKind::kExplain, PageKind::kLive}) {
     const Bundle bundle = BundleOf(kind);
     CHECK(bundle.script.empty() != HasPages());
     CHECK(bundle.style.empty() != HasPages());

@@ -59,7 +59,7 @@ TEST_CASE("Mistakes in a ground are shown", "[terrain]") {
       {"obstacles in each other", "{obstacles: {size: 40 cm, spacing: 30 cm}}",
        "obstacles of 0.4 m do not fit squares of 0.3 m"},
       {"a length in degrees", "{rough: {amplitude: 5 deg}}",
-       "expected a length in m, cm or mm, found 'deg'"},
+       "expected a length in m, cm, mm or um, found 'deg'"},
       {"steps of no height", "{steps: {height: 0 m}}", "more than 0 m"},
       {"hills finer than any part", "{rough: {wavelength: 1 mm}}",
        "at least 0.02 m"},

@@ -75,7 +75,7 @@ const CsvTable& TableOf(const std::string& name) {
 TEST_CASE("Tables have a header and every value", "[export]") {
   const test::Scratch scratch;
   const std::string path = scratch / "run";
-  test::WriteRun(path, 3);
+  test::WriteTriedRun(path);
   Database database;
   REQUIRE(database.Open(path, Database::Mode::kRead) == std::nullopt);
   for (const CsvTable& table : CsvTables()) {

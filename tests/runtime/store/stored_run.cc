@@ -132,6 +132,16 @@ void WriteRun(const std::string& path, int generations) {
   bytes = ReadBytes(path);
 }
 
+void WriteTriedRun(const std::string& path) {
+  Experiment experiment = StoredExperiment();
+  experiment.trials.count = 2;
+  experiment.trials.noise = {30e-6, 0.1, 0.2, 0.01, 0.05, 0.03, 0.25};
+  RunStore store;
+  REQUIRE(store.Create(path, experiment) == std::nullopt);
+  REQUIRE(Report(RecordRun(experiment), store, 0, 3).empty());
+  REQUIRE(store.Close() == std::nullopt);
+}
+
 std::string ReadBytes(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   std::ostringstream text;

@@ -47,6 +47,9 @@ std::string Report(const Recorder& recorder, RunStore& store, int order = 0,
 /// A store with such a run, closed; made once a program, then copied.
 void WriteRun(const std::string& path, int generations = 1000);
 
+/// The same with two trials a robot and noise of every kind, three generations.
+void WriteTriedRun(const std::string& path);
+
 std::string ReadBytes(const std::string& path);
 void WriteBytes(const std::string& path, const std::string& bytes);
 

@@ -132,12 +132,15 @@ TEST_CASE("The example studies are right", "[study]") {
   habits.variation.removal = Removal::kByValue;
   habits.inheritance = Inheritance::kJoined;
   habits.scenario = PublishedScenario();
+  habits.trials.own_lives = true;
+  habits.trials.noise.start_height = 30e-6;
   CHECK(published.experiments[0].experiment == habits);
   for (std::size_t i = 0; i < 4; ++i) {
     const Experiment& one = published.experiments[i].experiment;
     CHECK(published.experiments[i].name == paper.experiments[i].name);
     CHECK(one.variation == habits.variation);
     CHECK(one.inheritance == Inheritance::kJoined);
+    CHECK(one.trials == habits.trials);
     CHECK(one.scenario.controller == ControllerMode::kOpenLoop);
   }
   CHECK(published.experiments[3].experiment.scenario.seasons[0].physics ==

@@ -13,7 +13,7 @@ import { stringsView } from "./strings.js";
 const idle = "Point at a module, a rule or a symbol, or press it to keep it lit.";
 
 // Which colour a rule has: its place among those that made a module.
-function ruleColours(robot, numbers) {
+export function ruleColours(robot, numbers) {
   const rules = new Set();
   for (const { modules, insertions, string } of robot.environments)
     for (const module of modules) rules.add(insertions[string[module.origin - 1] - 1].rule);
@@ -33,7 +33,7 @@ function environmentView(robot, environment, rows, colourOf) {
   );
 }
 
-function legend(robot) {
+export function legend(robot) {
   const first = robot.environments[0].name;
   const marks = new Set(robot.environments.flatMap((one) => one.modules.map((module) => module.mark)));
   const entries = [];

@@ -107,6 +107,17 @@ function lacks(runs) {
   return element("p", { id: "lacks" }, `${whose} made by a plsc that did not measure ${names}, and are left out there.`);
 }
 
+// How experiments have robots live, where it is not once and undisturbed.
+function lives({ experiments }) {
+  const told = experiments.filter((one) => one.lives);
+  if (!told.length) return null;
+  return element(
+    "p",
+    { id: "lives" },
+    `${told.map((one) => `${one.name}: ${one.lives}`).join("; ")}. Fitness, and who is best, are over all trials; all else that is recorded is of each robot's first trial.`,
+  );
+}
+
 // A row a constant; a column an experiment's season, equal ones put together.
 function constants(data) {
   const sets = data.constants.flatMap(({ experiment, same, values }) =>
@@ -142,6 +153,7 @@ export function provenanceSection(data) {
     element("p", {}, totals(read)),
     versions(read),
     lacks(read),
+    lives(data),
     element("p", { id: "verified" }, verifiedText(data)),
     table(columns, data.runs.map(rowOf), { label: "runs" }),
     csvButton("the runs", "runs", data.runs.map(csvRow)),

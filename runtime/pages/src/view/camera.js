@@ -30,6 +30,16 @@ export class FollowingCamera {
     this.look("behind");
   }
 
+  // For a robot of another size, seen from the same direction.
+  setDistance(distance) {
+    this.setOffset(this.offset().multiplyScalar(distance / this.distance));
+    this.distance = distance;
+  }
+
+  dispose() {
+    this.controls.dispose();
+  }
+
   look(view) {
     const [x, y, z] = directions[view];
     this.setOffset(new Vector3(x, y, z).setLength(this.distance));

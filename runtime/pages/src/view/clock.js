@@ -9,6 +9,7 @@ export class Clock {
     this.time = 0;
     this.speed = 1;
     this.isPlaying = false;
+    this.isLooping = false;
     this.listeners = [];
   }
 
@@ -23,6 +24,12 @@ export class Clock {
   go(time) {
     this.time = Math.min(Math.max(time, 0), this.end);
     this.#tell();
+  }
+
+  // Other lives, at the same time of theirs.
+  setEnd(end) {
+    this.end = end;
+    this.go(this.time);
   }
 
   play(isPlaying = true) {
@@ -42,8 +49,8 @@ export class Clock {
     if (!this.isPlaying) return;
     this.time += Math.min(Math.max(seconds, 0), longestFrame) * this.speed;
     if (this.time >= this.end) {
-      this.time = this.end;
-      this.isPlaying = false;
+      this.time = this.isLooping ? 0 : this.end;
+      this.isPlaying = this.isLooping;
     }
     this.#tell();
   }

@@ -52,7 +52,7 @@ function addKeys(clock, step, jumpSeason) {
   };
   document.addEventListener("keydown", (event) => {
     // What has the focus knows its keys itself.
-    if (event.target.closest("button, input, select, summary, a")) return;
+    if (event.target.closest("button, input, select, summary, a, textarea, [contenteditable]")) return;
     if (event.ctrlKey || event.altKey || event.metaKey || !keys[event.key]) return;
     keys[event.key]();
     event.preventDefault();

@@ -75,6 +75,16 @@ export class LifeScene {
     return { target: now.pose(age), isNew };
   }
 
+  // Frees what the graphics card keeps. What scenes share comes back when one
+  // that needs it is drawn.
+  dispose() {
+    for (const season of this.seasons)
+      season?.object.traverse(({ geometry, material }) => {
+        geometry?.dispose();
+        material?.dispose();
+      });
+  }
+
   // Before it is drawn: `distance` in m from the camera to what it looks at.
   prepare(distance, isRough) {
     setFading(this.fading, 1 + 2 * distance, 4 + 5 * distance);

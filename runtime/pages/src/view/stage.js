@@ -35,7 +35,6 @@ export class Stage {
   // `surfaces`: an element a life, over the canvas, that takes the pointer.
   constructor(canvas, context, lives, surfaces) {
     this.canvas = canvas;
-    this.surfaces = surfaces;
     this.renderer = new WebGLRenderer({ canvas, context });
     this.renderer.outputColorSpace = LinearSRGBColorSpace; // materials.js does it
     this.renderer.setClearColor(skyColour);
@@ -45,11 +44,29 @@ export class Stage {
     this.changedAt = -Infinity; // ms
     this.frames = [];
     this.isLinked = true;
+    this.retired = []; // scenes of lives before these
+    this.scenes = [];
+    this.surfaces = [];
+    this.cameras = [];
+    this.setLives(lives, surfaces);
+    new ResizeObserver(() => this.#resize()).observe(canvas.parentElement);
+  }
+
+  // Other lives; where the surfaces stay the same, so does how one looks. To be
+  // posed before the next frame.
+  setLives(lives, surfaces) {
     // The same for all, so that sizes can be compared.
     const distance = 2.8 * Math.max(...lives.map(radiusOf));
+    this.retired.push(...this.scenes);
     this.scenes = lives.map((life) => new LifeScene(life));
+    if (surfaces.length === this.surfaces.length && surfaces.every((surface, i) => surface === this.surfaces[i])) {
+      for (const camera of this.cameras) camera.setDistance(distance);
+      this.#change();
+      return;
+    }
+    for (const camera of this.cameras) camera.dispose();
+    this.surfaces = surfaces;
     this.cameras = surfaces.map((surface) => new FollowingCamera(surface, distance, (camera) => this.#turned(camera)));
-    new ResizeObserver(() => this.#resize()).observe(canvas.parentElement);
     this.#resize();
   }
 
@@ -114,6 +131,8 @@ export class Stage {
       this.renderer.setScissor(...pane);
       this.renderer.render(this.scenes[i].scene, camera.camera);
     });
+    // After the new ones were drawn, so that what both need is not made again.
+    for (const scene of this.retired.splice(0)) scene.dispose();
   }
 
   // Between panels, where no pane is.

@@ -18,7 +18,7 @@ using test::TemporaryFolder;
 
 const std::vector<std::string> kTables = {
     "constants.csv", "generations.csv", "individuals.csv", "members.csv",
-    "results.csv",   "robots.csv",      "run.csv"};
+    "results.csv",   "robots.csv",      "run.csv",         "trials.csv"};
 
 TEST_CASE("export writes a table a file", "[export]") {
   const test::TinyRun& run = test::FinishedRun();
