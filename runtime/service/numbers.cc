@@ -48,6 +48,14 @@ Bounds BoundsOf(ast::SettingKey key) {
   return {};
 }
 
+/// What a value is for.
+struct Use {
+  const char* kind;
+  std::string name;
+  std::string about;
+  Bounds bounds;
+};
+
 /// By position, of all sections.
 using Numbers = std::map<std::uint32_t, TurnableNumber>;
 
@@ -81,8 +89,11 @@ class Collector {
                  const Term& term) {
     const State& state = section_.scope.header.StateOf(term.state);
     if (state.type != StateType::kReal) return;
-    Add(kind, around, value, state.name, lsp::DescribeState(state),
-        {state.low, state.high, false});
+    Add(around, value,
+        {kind,
+         state.name,
+         lsp::DescribeState(state),
+         {state.low, state.high, false}});
   }
 
   void AddSymbol(std::uint32_t at) {
@@ -95,11 +106,12 @@ class Collector {
         std::min(arguments.size(), info.parameters.size());
     for (std::size_t k = 0; k < count; ++k) {
       const Parameter& parameter = info.parameters[k];
-      Add("argument", symbol.span, arguments[k],
-          fmt::format("{} of {}", parameter.name, info.name),
-          fmt::format("{} of `{}`\n", lsp::DescribeParameter(parameter),
-                      info.name),
-          {parameter.low, parameter.high, parameter.is_integer});
+      Add(symbol.span, arguments[k],
+          {"argument",
+           fmt::format("{} of {}", parameter.name, info.name),
+           fmt::format("{} of `{}`\n", lsp::DescribeParameter(parameter),
+                       info.name),
+           {parameter.low, parameter.high, parameter.is_integer}});
     }
   }
 
@@ -108,27 +120,35 @@ class Collector {
     const std::string word(file_.Text(item.keyword));
     if (item.kind == ast::ItemKind::kSetting) {
       const ast::Setting& setting = file_.settings[item.index];
-      Add("setting", item.span, setting.value, word,
-          std::string(lsp::KeywordDoc(word)), BoundsOf(setting.key));
+      Add(item.span, setting.value,
+          {"setting", word, std::string(lsp::KeywordDoc(word)),
+           BoundsOf(setting.key)});
     } else if (item.kind == ast::ItemKind::kLet) {
       const ast::Let& let = file_.lets[item.index];
       const std::string name(file_.Text(let.name));
-      Add("constant", item.span, let.value, name,
-          fmt::format("```pls\n{}\n```\n", file_.Text(item.span)),
-          constants_[name]);
+      Add(item.span, let.value,
+          {"constant", name,
+           fmt::format("```pls\n{}\n```\n", file_.Text(item.span)),
+           constants_[name]});
     }
   }
 
-  void Add(const char* kind, Span around, const ast::Value& value,
-           std::string name, std::string about, const Bounds& bounds) {
+  void Add(Span around, const ast::Value& value, Use use) {
+    const Bounds& bounds = use.bounds;
     if (value.kind == ast::Value::Kind::kName)
       constants_[std::string(file_.Text(value.span))].Narrow(bounds);
     if (value.kind != ast::Value::Kind::kNumber) return;
-    const TurnableNumber number{
-        value.span,      around,           kind,
-        std::move(name), std::move(about), value.number,
-        bounds.is_whole, bounds.lowest,    bounds.highest};
-    const auto [kept, is_new] = numbers_.emplace(value.span.begin, number);
+    TurnableNumber number{value.span,
+                          around,
+                          use.kind,
+                          std::move(use.name),
+                          std::move(use.about),
+                          value.number,
+                          bounds.is_whole,
+                          bounds.lowest,
+                          bounds.highest};
+    const auto [kept, is_new] =
+        numbers_.emplace(value.span.begin, std::move(number));
     if (is_new) return;
     // A constant that several genotypes use.
     Bounds both{kept->second.lowest, kept->second.highest,

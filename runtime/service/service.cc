@@ -53,7 +53,10 @@ service::Answer About(const std::string& version,
                       const std::vector<std::string_view>& asks) {
   service::Answer answer;
   answer.Add("version", version);
-  answer.Add("engines", AllNames(kEngineNames));
+  Json engines = Json::array();
+  for (const auto& [engine, name] : kEngineNames)
+    if (engine != EngineKind::kOde || HasOde()) engines.push_back(name);
+  answer.Add("engines", engines);
   answer.Add("asks", asks);
   answer.Add("limits", {{"request_bytes", service::kMostRequestBytes},
                         {"text_bytes", service::kMostTextBytes},

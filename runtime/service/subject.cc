@@ -48,6 +48,7 @@ std::vector<NamedEnvironment> InSeasons(const Request& request,
         "which environment? the text names none, and the scenario does not "
         "give all that is sensed; say it as {}",
         ExampleOfEnvironment(subject.genotype().states)));
+  RefuseMissingEngine(scenario);
   return SeasonEnvironments(subject.genotype(), scenario);
 }
 
@@ -87,7 +88,7 @@ Subject SubjectOf(const Request& request) {
 }
 
 Scenario ScenarioOf(const Request& request) {
-  Scenario scenario = PaperScenario();
+  Scenario scenario = BothSeasons(Profile::kSwift);
   if (request.Has("scenario")) {
     const Source yaml(kScenarioName,
                       LimitedText(request, "scenario", kMostScenarioBytes));
@@ -129,6 +130,13 @@ std::vector<NamedEnvironment> EnvironmentsOf(const Request& request,
   if (!texts.empty()) return environments;
   if (auto usual = UsualEnvironments(program)) return std::move(*usual);
   return InSeasons(request, subject);
+}
+
+void RefuseMissingEngine(const Scenario& scenario) {
+  if (UsesOde(scenario) && !HasOde())
+    throw Refusal(
+        "the scenario's robots live in ODE, which a page has not; ask with "
+        "'engine': 'articulated', or write 'profile: swift'");
 }
 
 void RefuseBodiless(const Genotype& genotype, const char* purpose) {

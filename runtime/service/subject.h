@@ -33,8 +33,11 @@ struct Subject {
 /// The keys `text`, `name` and `genotype`.
 Subject SubjectOf(const Request& request);
 
-/// The keys `scenario` and `engine`; without the first the paper's.
+/// The keys `scenario` and `engine`; without the first the paper's, in the
+/// engine that all builds have.
 Scenario ScenarioOf(const Request& request);
+/// Before a life, or a robot that is put down to feel the ground.
+void RefuseMissingEngine(const Scenario& scenario);
 /// What a scenario's text is called in diagnostics.
 inline constexpr const char* kScenarioName = "scenario.yaml";
 

@@ -22,7 +22,7 @@ Scenario ReadBack(const OrderedJson& answer) {
 
 TEST_CASE("a scenario is answered with every constant", "[service]") {
   const OrderedJson usual = test::Answered({{"ask", "scenario"}});
-  CHECK(ReadBack(usual) == PaperScenario());
+  CHECK(ReadBack(usual) == BothSeasons(Profile::kSwift));
   const OrderedJson& seasons = usual["controls"]["seasons"];
   REQUIRE(seasons.size() == 2);
   CHECK(seasons[0]["slope"] == 0.0);
@@ -30,7 +30,7 @@ TEST_CASE("a scenario is answered with every constant", "[service]") {
   CHECK(seasons[0]["friction"] == 1.0);
   CHECK(seasons[0]["duration"] == 50.0);
   CHECK(seasons[0]["senses"]["hot"] == "False");
-  CHECK(seasons[0]["engine"] == "ode");
+  CHECK(seasons[0]["engine"] == "articulated");
 
   const OrderedJson swift = test::Answered(
       {{"ask", "scenario"},
@@ -54,7 +54,7 @@ TEST_CASE("settings are set in one season or in all", "[service]") {
                          {"slope", 0},
                          {"senses", {{"hot", nullptr}}}}}}});
   const Scenario scenario = ReadBack(answer);
-  Scenario expected = PaperScenario();
+  Scenario expected = BothSeasons(Profile::kSwift);
   for (Season& season : expected.seasons) {
     season.physics.friction = 0.5;
     season.duration = 20;

@@ -1,5 +1,7 @@
 #include <catch2/catch.hpp>
 
+#include "compiler/named_environments.h"
+#include "runtime/history/explained_robot.h"
 #include "tests/runtime/service/asked.h"
 
 namespace plsc {
@@ -7,8 +9,27 @@ namespace {
 
 using test::OrderedJson;
 
-// That these are what `plsc view --explain` and `plsc draw` write, the tests of
-// the commands compare (tests/runtime/cli/same_answers_test.cc).
+// That pictures are those of `plsc draw`, the tests of the commands compare
+// (tests/runtime/cli/same_answers_test.cc).
+
+TEST_CASE("robots are explained as on the page of 'plsc view --explain'",
+          "[service]") {
+  for (const auto& [name, text] : test::ExampleTexts()) {
+    INFO(name);
+    const Source source(name, text);
+    const auto mapped = CompileWithMap(source);
+    REQUIRE(mapped);
+    const Program& program = mapped->program;
+    if (!program.genotype.alphabet->is_built_in()) continue;
+    const auto explained = ExplainRobot(program.genotype.name, source, *mapped,
+                                        *UsualEnvironments(program));
+    REQUIRE(explained);
+    const std::string answer = test::AnsweredText(
+        {{"ask", "explain"}, {"name", name}, {"text", text}});
+    CHECK(answer == R"({"id":null,"ask":"explain","ok":true,"explained":)" +
+                        ExplainJson({*explained}) + "}");
+  }
+}
 
 TEST_CASE("a robot is explained and drawn in the same environments",
           "[service]") {
