@@ -42,6 +42,7 @@ ARROWS = {
     "runtime/report": "runtime/study runtime/relive runtime/store runtime/evolve runtime/vary runtime/pictures runtime/life runtime/scenario runtime/develop runtime/text compiler grammar sim",
     "runtime/lsp": "runtime/advice runtime/text compiler grammar",
     "runtime/service": "runtime/lsp runtime/history runtime/pictures runtime/recording runtime/advice runtime/compare runtime/life runtime/scenario runtime/develop runtime/text compiler/changes compiler grammar sim",
+    "runtime/web": "runtime/service runtime/text",
     "runtime/pages": "runtime/text",
     "runtime/cli/explanations": "grammar",
     "runtime/cli/diagnostics": "runtime/cli/explanations *",
@@ -76,7 +77,7 @@ CORE = """grammar compiler compiler/changes sim/maths sim sim/ode
 sim/articulated runtime/text runtime/authors
 runtime/develop runtime/scenario runtime/life runtime/compare runtime/recording
 runtime/advice runtime/vary runtime/pictures runtime/history
-runtime/lsp runtime/service""".split()
+runtime/lsp runtime/service runtime/web""".split()
 NOT_IN_CORE = re.compile(
     r"(barrier|chrono|condition_variable|csignal|cstdio|ctime|filesystem|fstream|"
     r"future|iostream|latch|mutex|random|semaphore|shared_mutex|stop_token|thread|"

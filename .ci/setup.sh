@@ -19,7 +19,7 @@ command -v npm >/dev/null 2>&1 || PLSC_PACKAGES="$PLSC_PACKAGES nodejs npm"
 PLSC_TEST_PACKAGES="chromium libmujoco-dev liburdfdom-dev libsdformat-dev \
 neovim git dpkg-dev file"
 # Builds with sanitizers and libFuzzer.
-PLSC_CLANG_PACKAGES="clang-14 libclang-rt-14-dev"
+PLSC_CLANG_PACKAGES="clang-14 lld-14 libclang-rt-14-dev"
 
 plsc_fail() {
   echo "$(basename "$0"): $1" >&2
@@ -58,10 +58,11 @@ plsc_install() {
   rm -f "$log"
 }
 
-# plsc_build PRESET [TARGET]: configures and builds into build/PRESET.
+# plsc_build PRESET [TARGET...]: configures and builds into build/PRESET.
 plsc_build() {
+  [ $# -gt 1 ] || set -- "$1" all
   cmake --preset "$1" >/dev/null ||
     plsc_fail "cmake could not configure; its message is above"
-  cmake --build --preset "$1" --target "${2-all}" ||
+  cmake --build --preset "$1" --target "${@:2}" ||
     plsc_fail "the build failed; the compiler's message is above"
 }

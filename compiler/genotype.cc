@@ -1,7 +1,7 @@
 #include "compiler/genotype.h"
 
 #include <algorithm>
-#include <bit>
+#include <cstring>
 
 namespace plsc {
 
@@ -9,7 +9,7 @@ namespace {
 
 // -0 and +0 are different numbers here: both print, and both must come back.
 bool SameBits(double a, double b) {
-  return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
+  return std::memcmp(&a, &b, sizeof a) == 0;
 }
 
 }  // namespace

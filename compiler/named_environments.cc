@@ -30,6 +30,12 @@ std::optional<std::vector<NamedEnvironment>> UsualEnvironments(
   return std::nullopt;
 }
 
+std::string SensesOf(const NamedEnvironment& named,
+                     const std::vector<State>& states) {
+  std::string senses = PrintEnvironment(named.environment, states);
+  return senses == named.name ? std::string() : senses;
+}
+
 std::string ExampleOfEnvironment(const std::vector<State>& states) {
   Environment example;
   for (const State& state : states)

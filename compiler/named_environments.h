@@ -22,6 +22,10 @@ Result<NamedEnvironment> FindEnvironment(const Program& program,
 std::optional<std::vector<NamedEnvironment>> UsualEnvironments(
     const Program& program);
 
+/// What is sensed there, unless the name says it.
+std::string SensesOf(const NamedEnvironment& named,
+                     const std::vector<State>& states);
+
 /// "inclined=False,hot=False": how one is written out.
 std::string ExampleOfEnvironment(const std::vector<State>& states);
 

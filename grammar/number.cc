@@ -2,23 +2,111 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cassert>
 #include <charconv>
 #include <cmath>
+#include <string>
 #include <system_error>
+#include <type_traits>
+
+#ifndef __cpp_lib_to_chars
+#include <fast_float/fast_float.h>
+#endif
 
 namespace plsc {
 
 namespace {
+
+#ifdef __cpp_lib_to_chars
+
+std::from_chars_result ReadDouble(const char* begin, const char* end,
+                                  double& value) {
+  return std::from_chars(begin, end, value);
+}
+
+std::to_chars_result WriteDouble(char* begin, char* end, double value) {
+  return std::to_chars(begin, end, value);
+}
+
+#else  // the standard library has charconv for integers alone (libc++ 13)
+
+/// As std::from_chars, which leaves `value` where a number fits no double;
+/// fast_float makes it zero or infinite without a word.
+std::from_chars_result ReadDouble(const char* begin, const char* end,
+                                  double& value) {
+  double read = 0;
+  const auto [after, error] = fast_float::from_chars(begin, end, read);
+  if (error != std::errc()) return {after, error};
+  // "inf" has no digit, and zero none but 0 before its exponent.
+  std::string_view mantissa(begin, static_cast<std::size_t>(after - begin));
+  mantissa = mantissa.substr(0, mantissa.find_first_of("eE"));
+  const char* const digits = read == 0 ? "123456789" : "0123456789";
+  if ((read == 0 || std::isinf(read)) &&
+      mantissa.find_first_of(digits) != std::string_view::npos)
+    return {after, std::errc::result_out_of_range};
+  value = read;
+  return {after, error};
+}
+
+/// The digits are fmt's, the shortest that read back; as std::to_chars, with an
+/// exponent only where that is shorter.
+std::to_chars_result WriteDouble(char* begin, char* end, double value) {
+  std::string plain = fmt::format("{}", value);
+  const auto written = [&](std::string_view text) -> std::to_chars_result {
+    assert(text.size() <= static_cast<std::size_t>(end - begin));
+    return {std::copy(text.begin(), text.end(), begin), std::errc()};
+  };
+  if (!std::isfinite(value) || value == 0) return written(plain);
+
+  // value = 0.DIGITS * 10^point
+  const std::string_view sign = value < 0 ? "-" : "";
+  const std::size_t e = std::min(plain.find('e'), plain.size());
+  int point = 0;
+  if (e < plain.size()) {
+    const char* from = plain.data() + e + 1;
+    if (*from == '+') ++from;
+    std::from_chars(from, plain.data() + plain.size(), point);
+  }
+  std::string digits = plain.substr(sign.size(), e - sign.size());
+  const std::size_t dot = std::min(digits.find('.'), digits.size());
+  point += static_cast<int>(dot);
+  if (dot < digits.size()) digits.erase(dot, 1);
+  const std::size_t first = digits.find_first_not_of('0');
+  point -= static_cast<int>(first);
+  digits = digits.substr(first, digits.find_last_not_of('0') + 1 - first);
+
+  const int count = static_cast<int>(digits.size());
+  std::string fixed;
+  if (point <= 0)
+    fixed = "0." + std::string(static_cast<std::size_t>(-point), '0') + digits;
+  else if (point < count)
+    fixed = std::string(digits).insert(static_cast<std::size_t>(point), ".");
+  else  // of texts of one length the nearest, which has all digits
+    fixed = fmt::format("{:.0f}", std::abs(value));
+  std::string scientific = digits;
+  if (count > 1) scientific.insert(1, ".");
+  scientific +=
+      fmt::format("e{}{:02}", point > 0 ? '+' : '-', std::abs(point - 1));
+  return written(fmt::format(
+      "{}{}", sign, fixed.size() <= scientific.size() ? fixed : scientific));
+}
+
+#endif
 
 template <typename T>
 LeadingNumber<T> ReadLeading(std::string_view text, auto... base) {
   using Kind = typename LeadingNumber<T>::Kind;
   LeadingNumber<T> number;
   const char* const begin = text.data();
-  const auto [end, error] =
-      std::from_chars(begin, begin + text.size(), number.value, base...);
+  const char* const end_of_text = begin + text.size();
+  const auto [end, error] = [&] {
+    if constexpr (std::is_same_v<T, double>)
+      return ReadDouble(begin, end_of_text, number.value);
+    else
+      return std::from_chars(begin, end_of_text, number.value, base...);
+  }();
   number.length = static_cast<std::size_t>(end - begin);
   number.kind = error == std::errc()                      ? Kind::kFits
                 : error == std::errc::result_out_of_range ? Kind::kOutOfRange
@@ -74,7 +162,7 @@ void AppendNumber(double value, std::string* text) {
   // Shortest forms have at most 24 characters ("-2.2250738585072014e-308").
   std::array<char, 32> buffer;
   const auto [end, error] =
-      std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
+      WriteDouble(buffer.data(), buffer.data() + buffer.size(), value);
   assert(error == std::errc());
   text->append(buffer.data(), end);
 }

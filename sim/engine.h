@@ -81,6 +81,7 @@ class Engine {
       : touched(static_cast<std::size_t>(ModulesOf(assembly))) {}
 };
 
+/// Of a build that HasOde.
 std::unique_ptr<Engine> MakeOdeEngine(const Scene& scene);
 std::unique_ptr<Engine> MakeArticulatedEngine(const Scene& scene);
 

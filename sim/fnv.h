@@ -4,9 +4,10 @@
 // that is short to compute and the same everywhere. Against accidents; whoever
 // wants to can find two inputs of one value.
 
-#include <bit>
 #include <cstdint>
 #include <string_view>
+
+#include "sim/maths/bits.h"
 
 namespace plsc {
 
@@ -17,7 +18,7 @@ class Fnv {
   }
   /// Bit for bit.
   void Add(double number) {
-    const auto bits = std::bit_cast<std::uint64_t>(number);
+    const auto bits = BitCast<std::uint64_t>(number);
     // Byte by byte from the lowest, so that byte order does not matter.
     for (int shift = 0; shift < 64; shift += 8)
       AddByte(static_cast<unsigned char>(bits >> shift));

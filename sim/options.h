@@ -15,6 +15,9 @@ enum class EngineKind : std::uint8_t {
   kArticulated,  ///< the same equations in joint coordinates (sim/articulated)
 };
 
+/// Whether this build has ODE; the articulated engine is in all.
+bool HasOde();
+
 /// Of ODE; the articulated engine has one method, which is exact.
 enum class Solver : std::uint8_t {
   kDirect,     ///< ODE dWorldStep: Dantzig's method, exact

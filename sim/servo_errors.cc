@@ -9,6 +9,8 @@
 
 #include <numeric>
 
+#include "sim/maths/bits.h"
+
 namespace plsc {
 
 double ServoErrors::Median() const {
@@ -21,8 +23,7 @@ double ServoErrors::Median() const {
     below += counts_[bin++];
   if (bin == 0) return 0;
   const std::uint64_t leading = static_cast<std::uint64_t>(kFirst) + bin - 1;
-  return std::bit_cast<double>(leading << kShift | std::uint64_t{1}
-                                                       << (kShift - 1));
+  return BitCast<double>(leading << kShift | std::uint64_t{1} << (kShift - 1));
 }
 
 }  // namespace plsc

@@ -7,10 +7,11 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+
+#include "sim/maths/bits.h"
 
 namespace plsc {
 
@@ -21,7 +22,7 @@ class ServoErrors {
     const double size = std::abs(error);
     worst_ = std::max(worst_, size);
     const auto leading =
-        static_cast<std::int64_t>(std::bit_cast<std::uint64_t>(size) >> kShift);
+        static_cast<std::int64_t>(BitCast<std::uint64_t>(size) >> kShift);
     const std::int64_t bin =
         std::clamp<std::int64_t>(leading - kFirst + 1, 0, kBins - 1);
     ++counts_[static_cast<std::size_t>(bin)];

@@ -14,7 +14,11 @@ using Eigen::Vector3d;
 std::unique_ptr<Engine> MakeEngine(const Scene& scene) {
   switch (scene.options.physics.engine) {
     case EngineKind::kOde:
+#ifdef PLSC_NO_ODE
+      break;  // whoever asks for it is refused before
+#else
       return MakeOdeEngine(scene);
+#endif
     case EngineKind::kArticulated:
       return MakeArticulatedEngine(scene);
   }
@@ -23,6 +27,14 @@ std::unique_ptr<Engine> MakeEngine(const Scene& scene) {
 }
 
 }  // namespace
+
+bool HasOde() {
+#ifdef PLSC_NO_ODE
+  return false;
+#else
+  return true;
+#endif
+}
 
 World::World(const Assembly& assembly, const Terrain& terrain,
              const SimulationOptions& options)

@@ -15,8 +15,8 @@ build/PRESET and runs all tests. Works on a fresh Debian 12 machine.
   --fast      leave out the tests labelled slow
   --core      only the fast tests of the compiler, development, simulation and
               the language server; builds nothing else
-  --watched   those and the fast tests of evolution, stores, studies and reports:
-              what .ci/run has sanitizers watch
+  --watched   those and the fast tests of evolution, stores, studies, reports and
+              commands: what .ci/run has sanitizers watch
 TXT
 }
 

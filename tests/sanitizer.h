@@ -4,8 +4,9 @@
 // has a malloc of its own and needs more addresses than limits leave.
 //
 // Sampled: how often a test under a sanitizer does what it does thousands of
-// times. What a sanitizer sees, it sees in the first few; that all of them are
-// right is for the builds without to tell, where nothing is left out.
+// times, and IsSampled which of the cases of a file or a table. What a
+// sanitizer sees, it sees in some; that all of them are right is for the builds
+// without to tell, where nothing is left out.
 
 #include <cstddef>
 
@@ -29,7 +30,12 @@ constexpr Count Sampled(Count cases) {
   return PLSC_HAS_ASAN ? (cases + 9) / 10 : cases;
 }
 
-/// How far apart those are that are taken of a file's cases, one or ten.
-inline constexpr std::size_t kSparser = 10 / Sampled(std::size_t{10});
+/// How far apart those are that are taken of a file's cases. A prime, so that
+/// of a table of few columns all are met.
+inline constexpr std::size_t kSparser = PLSC_HAS_ASAN ? 11 : 1;
+
+constexpr bool IsSampled(std::size_t index) {
+  return index % kSparser == 0;
+}
 
 }  // namespace plsc::test

@@ -22,6 +22,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <utility>
@@ -165,7 +166,8 @@ class Watcher {
         if (occurrence.rule == kNoRule || expressed[occurrence.rule].empty())
           continue;
         const bool is_expressed = InfoOf(trace.events[i].effect).is_expressed;
-        auto seen = expressed[occurrence.rule].begin() + occurrence.position;
+        auto seen = expressed[occurrence.rule].begin() +
+                    static_cast<std::ptrdiff_t>(occurrence.position);
         if (is_again && *seen && !is_expressed)
           fates_[occurrence.rule].repeated = occurrence.position;
         *seen = *seen || is_expressed;

@@ -6,6 +6,7 @@ import { createRequire } from "node:module";
 import { basename, dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { gzipSync } from "node:zlib";
+import { view } from "./literal.mjs";
 
 const [modules, output] = process.argv.slice(2);
 const esbuild = createRequire(join(modules, "x.js"))("esbuild");
@@ -67,19 +68,6 @@ async function bundle(page) {
   return { script, style: text("css") };
 }
 
-// In pieces, as compilers bound the length of one literal.
-function literal(text) {
-  const escape = (c) => (/[\\"?]/.test(c) ? `\\${c}` : `\\${c.charCodeAt(0).toString(8).padStart(3, "0")}`);
-  const pieces = [];
-  for (let at = 0; at < text.length; ) {
-    let end = at + 8000;
-    if (/[\ud800-\udbff]/.test(text[end - 1] ?? "")) ++end; // one character, two units
-    pieces.push(`    "${text.slice(at, end).replace(/[\\"?\x00-\x1f\x7f]/g, escape)}"`);
-    at = end;
-  }
-  return pieces.length ? pieces.join("\n") : '    ""';
-}
-
 const built = await Promise.all(pages.map(bundle));
 let source = `// Written by runtime/pages/bundle.mjs.
 #include "runtime/pages/bundles.h"
@@ -94,7 +82,6 @@ Bundle BundleOf(PageKind kind) {
 `;
 pages.forEach((page, i) => {
   const name = `k${page[0].toUpperCase()}${page.slice(1)}`;
-  const view = (text) => `std::string_view(\n${literal(text)},\n    ${Buffer.byteLength(text)})`;
   source += `    case PageKind::${name}:\n      return {${view(built[i].script)},\n  ${view(built[i].style)}};\n`;
 });
 source += "  }\n  return {};\n}\n\n}  // namespace plsc\n";

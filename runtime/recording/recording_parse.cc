@@ -223,7 +223,8 @@ Eigen::MatrixXd ReadTrack(JsonReader& reader, const JsonValue& motion,
       reader.Error(
           track, Code::kUnknownWord,
           fmt::format("expected {} for 'unit', found {}", shape.unit, unit));
-    const auto found = reader.Integer(track, "rows", 0, kMaxInt);
+    const auto found =
+        static_cast<Eigen::Index>(reader.Integer(track, "rows", 0, kMaxInt));
     // Nothing was moving where nothing was simulated.
     if (found != (shape.samples == 0 ? 0 : rows)) {
       reader.Error(track, Code::kMisfit,
@@ -266,7 +267,8 @@ Motion ReadMotion(JsonReader& reader, const JsonValue& value,
   motion.step = reader.Number(value, "step");
   if (!(motion.step > 0))
     reader.Error(value, Code::kOutOfRange, "a 'step' takes more than 0 s");
-  const Eigen::Index samples = reader.Integer(value, "samples", 0, kMaxInt);
+  const auto samples =
+      static_cast<Eigen::Index>(reader.Integer(value, "samples", 0, kMaxInt));
   std::size_t sensors = 0;
   for (const RecordedModule& module : body.modules)
     if (module.type == ModuleType::kTouchSensor) ++sensors;

@@ -15,10 +15,19 @@ constexpr std::array<Key, 5> kDevelopKeys{"text", "name", "genotype",
 constexpr std::array<Key, 6> kLiveKeys{"text",     "name",   "genotype",
                                        "scenario", "engine", "record"};
 
-constexpr std::array<Ask, 4> kAsks{{{"check", kCheckKeys, Check},
+constexpr std::array<Key, 3> kCompareKeys{"before", "text", "name"};
+constexpr std::array<Key, 3> kParameterKeys{"text", "name", "at"};
+constexpr std::array<Key, 3> kScenarioKeys{"scenario", "engine", "set"};
+
+constexpr std::array<Ask, 9> kAsks{{{"check", kCheckKeys, Check},
                                     {"format", kFormatKeys, FormatText},
                                     {"develop", kDevelopKeys, DevelopAll},
-                                    {"live", kLiveKeys, LiveAll}}};
+                                    {"explain", kDevelopKeys, Explain},
+                                    {"live", kLiveKeys, LiveAll},
+                                    {"picture", kDevelopKeys, Draw},
+                                    {"compare", kCompareKeys, Compare},
+                                    {"parameters", kParameterKeys, Parameters},
+                                    {"scenario", kScenarioKeys, ShowScenario}}};
 
 }  // namespace
 

@@ -17,8 +17,17 @@ Answer Check(const Request& request);
 Answer FormatText(const Request& request);
 /// develop.cc
 Answer DevelopAll(const Request& request);
+/// show.cc
+Answer Explain(const Request& request);
+Answer Draw(const Request& request);
 /// live.cc
 Answer LiveAll(const Request& request);
+/// compare.cc
+Answer Compare(const Request& request);
+/// parameters.cc
+Answer Parameters(const Request& request);
+/// scenario.cc
+Answer ShowScenario(const Request& request);
 
 struct Ask {
   std::string_view name;

@@ -53,6 +53,7 @@ class Watch : public Watcher {
 
 void RefuseUnanswered(const Scenario& scenario, const Subject& subject) {
   RefuseBodiless(subject.genotype(), "simulate");
+  RefuseMissingEngine(scenario);
   const std::vector<Diagnostic> problems =
       CheckSenses(scenario, subject.genotype().states);
   if (!problems.empty()) throw Refusal(problems, Source(kScenarioName, ""));

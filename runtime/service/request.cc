@@ -83,6 +83,12 @@ std::vector<std::string> Request::Texts(std::string_view key) const {
   return texts;
 }
 
+const PlainJson& Request::List(std::string_view key) const {
+  const PlainJson& json = Member(key);
+  if (!json.is_array()) RefuseKind(key, "a list");
+  return json;
+}
+
 const PlainJson& Request::Object(std::string_view key) const {
   const PlainJson& json = Member(key);
   if (!json.is_object()) RefuseKind(key, "an object");

@@ -32,7 +32,8 @@ class Request {
   bool Flag(std::string_view key) const;  ///< false without it
   /// A list of texts, or one text; none without it.
   std::vector<std::string> Texts(std::string_view key) const;
-  /// Must be there.
+  /// Must be there, as the next.
+  const nlohmann::json& List(std::string_view key) const;
   const nlohmann::json& Object(std::string_view key) const;
   /// A whole number of the object `of` in low..high; must be there.
   static std::int64_t Whole(const nlohmann::json& of, std::string_view key,

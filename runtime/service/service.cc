@@ -3,10 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <nlohmann/json.hpp>
 #include <utility>
 
 #include "grammar/suggest.h"
+#include "runtime/history/explained_robot.h"
+#include "runtime/lsp/server.h"
 #include "runtime/scenario/scenario_physics.h"
 #include "runtime/service/asks.h"
 #include "runtime/service/limits.h"
@@ -46,20 +49,24 @@ Request Read(std::string_view text) {
   return Request(std::move(*json));
 }
 
-service::Answer About(const std::string& version) {
+service::Answer About(const std::string& version,
+                      const std::vector<std::string_view>& asks) {
   service::Answer answer;
   answer.Add("version", version);
-  answer.Add("engines", AllNames(kEngineNames));
-  Json asks = Json::array();
-  for (const service::Ask& ask : service::Asks()) asks.push_back(ask.name);
-  asks.push_back("about");
+  Json engines = Json::array();
+  for (const auto& [engine, name] : kEngineNames)
+    if (engine != EngineKind::kOde || HasOde()) engines.push_back(name);
+  answer.Add("engines", engines);
   answer.Add("asks", asks);
   answer.Add("limits", {{"request_bytes", service::kMostRequestBytes},
                         {"text_bytes", service::kMostTextBytes},
+                        {"scenario_bytes", service::kMostScenarioBytes},
                         {"name_bytes", service::kMostNameBytes},
                         {"environments", service::kMostEnvironments},
                         {"symbols", service::kMostSymbols},
-                        {"link_steps", service::kMostLinkSteps}});
+                        {"link_steps", service::kMostLinkSteps},
+                        {"explained_symbols", kMostExplainedSymbols},
+                        {"parameters", service::kMostNumbers}});
   return answer;
 }
 
@@ -67,29 +74,63 @@ service::Answer About(const std::string& version) {
 
 class Service::State {
  public:
-  explicit State(std::string version) : version_(std::move(version)) {}
+  explicit State(std::string version)
+      : version_(std::move(version)), editor_(NewEditor()) {}
 
   service::Answer AnswerTo(const Request& request) {
     const std::string name = request.Ask();
+    if (name == "lsp") return HandleMessage(request);
+    if (name == "idle") return WorkOn(request);
     if (name == "about") {
       request.RefuseUnknown({});
-      return About(version_);
+      return About(version_, Names());
     }
-    std::vector<std::string_view> names{"about"};
     for (const service::Ask& ask : service::Asks()) {
-      names.push_back(ask.name);
       if (ask.name != name) continue;
       request.RefuseUnknown(ask.keys);
       return ask.answer(request);
     }
-    const auto near = Suggest(name, names);
+    const auto near = Suggest(name, Names());
     throw Refusal(fmt::format("expected 'ask' to be one of {}{}",
-                              fmt::join(names, ", "),
+                              fmt::join(Names(), ", "),
                               near ? "; did you mean '" + *near + "'?" : ""));
   }
 
  private:
+  static std::vector<std::string_view> Names() {
+    std::vector<std::string_view> names{"about"};
+    for (const service::Ask& ask : service::Asks()) names.push_back(ask.name);
+    names.insert(names.end(), {"lsp", "idle"});
+    return names;
+  }
+
+  std::unique_ptr<lsp::Server> NewEditor() const {
+    return std::make_unique<lsp::Server>(version_);
+  }
+
+  service::Answer HandleMessage(const Request& request) {
+    request.RefuseUnknown(std::array<std::string_view, 1>{"message"});
+    return Sent(editor_->Handle(request.Object("message").dump()));
+  }
+
+  service::Answer WorkOn(const Request& request) {
+    request.RefuseUnknown({});
+    return Sent(editor_->has_work() ? editor_->Idle()
+                                    : std::vector<std::string>());
+  }
+
+  service::Answer Sent(const std::vector<std::string>& messages) {
+    // Whoever says goodbye may come again.
+    if (editor_->exit_status()) editor_ = NewEditor();
+    service::Answer answer;
+    answer.AddWritten("messages",
+                      fmt::format("[{}]", fmt::join(messages, ",")));
+    answer.Add("has_work", editor_->has_work());
+    return answer;
+  }
+
   std::string version_;
+  std::unique_ptr<lsp::Server> editor_;
 };
 
 Service::Service(std::string version)

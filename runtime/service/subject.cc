@@ -48,6 +48,7 @@ std::vector<NamedEnvironment> InSeasons(const Request& request,
         "which environment? the text names none, and the scenario does not "
         "give all that is sensed; say it as {}",
         ExampleOfEnvironment(subject.genotype().states)));
+  RefuseMissingEngine(scenario);
   return SeasonEnvironments(subject.genotype(), scenario);
 }
 
@@ -65,11 +66,17 @@ void RefuseLongSettling(const Scenario& scenario) {
 
 }  // namespace
 
+std::string LimitedText(const Request& request, std::string_view key,
+                        std::size_t most) {
+  return Limited(request.Text(key), key, most);
+}
+
+std::string NameOf(const Request& request) {
+  return Limited(request.Text("name", "robot.pls"), "name", kMostNameBytes);
+}
+
 Source TextOf(const Request& request) {
-  std::string name =
-      Limited(request.Text("name", "robot.pls"), "name", kMostNameBytes);
-  return {std::move(name),
-          Limited(request.Text("text"), "text", kMostTextBytes)};
+  return {NameOf(request), LimitedText(request, "text")};
 }
 
 Subject SubjectOf(const Request& request) {
@@ -81,10 +88,10 @@ Subject SubjectOf(const Request& request) {
 }
 
 Scenario ScenarioOf(const Request& request) {
-  Scenario scenario = PaperScenario();
+  Scenario scenario = BothSeasons(Profile::kSwift);
   if (request.Has("scenario")) {
-    const Source yaml(kScenarioName, Limited(request.Text("scenario"),
-                                             "scenario", kMostTextBytes));
+    const Source yaml(kScenarioName,
+                      LimitedText(request, "scenario", kMostScenarioBytes));
     Result<Scenario> read = ParseScenario(yaml);
     if (!read) throw Refusal(read.diagnostics(), yaml);
     scenario = std::move(*read);
@@ -123,6 +130,13 @@ std::vector<NamedEnvironment> EnvironmentsOf(const Request& request,
   if (!texts.empty()) return environments;
   if (auto usual = UsualEnvironments(program)) return std::move(*usual);
   return InSeasons(request, subject);
+}
+
+void RefuseMissingEngine(const Scenario& scenario) {
+  if (UsesOde(scenario) && !HasOde())
+    throw Refusal(
+        "the scenario's robots live in ODE, which a page has not; ask with "
+        "'engine': 'articulated', or write 'profile: swift'");
 }
 
 void RefuseBodiless(const Genotype& genotype, const char* purpose) {

@@ -9,11 +9,17 @@
 #include "compiler/compile.h"
 #include "runtime/develop/derive.h"
 #include "runtime/scenario/scenario.h"
+#include "runtime/service/limits.h"
 #include "runtime/service/request.h"
 #include "sim/phenotype.h"
 
 namespace plsc::service {
 
+/// A text under a key that must be there.
+std::string LimitedText(const Request& request, std::string_view key,
+                        std::size_t most = kMostTextBytes);
+/// The key `name`.
+std::string NameOf(const Request& request);
 /// The keys `text` and `name`.
 Source TextOf(const Request& request);
 
@@ -27,8 +33,11 @@ struct Subject {
 /// The keys `text`, `name` and `genotype`.
 Subject SubjectOf(const Request& request);
 
-/// The keys `scenario` and `engine`; without the first the paper's.
+/// The keys `scenario` and `engine`; without the first the paper's, in the
+/// engine that all builds have.
 Scenario ScenarioOf(const Request& request);
+/// Before a life, or a robot that is put down to feel the ground.
+void RefuseMissingEngine(const Scenario& scenario);
 /// What a scenario's text is called in diagnostics.
 inline constexpr const char* kScenarioName = "scenario.yaml";
 

@@ -19,11 +19,11 @@
 
 #include "sim/maths/exponential.h"
 
-#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <limits>
 
+#include "sim/maths/bits.h"
 #include "sim/maths/two.h"
 
 namespace plsc {
@@ -51,7 +51,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// 2^k of a k that a normal number has.
 double PowerOfTwo(int k) {
-  return std::bit_cast<double>(static_cast<std::uint64_t>(k + 1023) << 52);
+  return BitCast<double>(static_cast<std::uint64_t>(k + 1023) << 52);
 }
 
 }  // namespace
@@ -79,9 +79,9 @@ double Log(double x) {
     x *= 0x1p54;
     k = -54;
   }
-  const auto bits = std::bit_cast<std::uint64_t>(x);
+  const auto bits = BitCast<std::uint64_t>(x);
   k += static_cast<int>(bits >> 52) - 1023;
-  double m = std::bit_cast<double>((bits & 0xfffffffffffffU) | 1023ULL << 52);
+  double m = BitCast<double>((bits & 0xfffffffffffffU) | 1023ULL << 52);
   if (m >= kRootOfTwo) {
     m /= 2;
     ++k;

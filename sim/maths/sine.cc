@@ -25,11 +25,12 @@
 
 #include "sim/maths/sine.h"
 
-#include <bit>
 #include <cmath>
 #include <cstdint>
+
 #include <limits>
 
+#include "sim/maths/bits.h"
 #include "sim/maths/two.h"
 
 namespace plsc {
@@ -76,7 +77,7 @@ Reduced ReduceWithParts(double x) {
 
 /// Of a finite x >= 2^20.
 Reduced ReduceWithWords(double x) {
-  const auto bits = std::bit_cast<std::uint64_t>(x);
+  const auto bits = BitCast<std::uint64_t>(x);
   const int exponent = static_cast<int>(bits >> 52) - 1075;  // >= -32
   const std::uint64_t integer = (bits & 0xfffffffffffffU) | 1ULL << 52;
   const int q = (exponent + 32) / 32 - 1;  // rounded down

@@ -26,7 +26,7 @@ TEST_CASE("an environment is found by its name, or written out",
       FindEnvironment(program, Source("--env", "heat=3, wet=False"));
   REQUIRE(written);
   CHECK(written->environment.values == std::vector<double>{0, 3});
-  CHECK(written->name == "wet=False,heat=3.0");
+  CHECK(written->name == "wet=False,heat=3");
 
   CHECK_FALSE(FindEnvironment(program, Source("--env", "snow")));
   CHECK_FALSE(FindEnvironment(program, Source("--env", "wet=True")));
@@ -55,7 +55,7 @@ TEST_CASE("without a word the environments of a file are meant",
 TEST_CASE("an example is an environment", "[named_environments]") {
   const Program program = WithTwo("");
   const std::string example = ExampleOfEnvironment(program.genotype.states);
-  CHECK(example == "wet=False,heat=0.0");
+  CHECK(example == "wet=False,heat=0");
   CHECK(FindEnvironment(program, Source("--env", example)));
 }
 

@@ -5,8 +5,6 @@
 
 #include <cstdint>
 #include <cstdio>
-#include <cstdlib>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -27,15 +25,6 @@
 #include "sim/simulate.h"
 #include "tests/sim/maths/maths_hash.h"
 #include "tests/sim/terrains.h"
-
-#ifdef PLSC_NO_ODE
-namespace plsc {
-std::unique_ptr<Engine> MakeOdeEngine(const Scene&) {
-  std::fputs("this program has no ODE\n", stderr);
-  std::abort();
-}
-}  // namespace plsc
-#endif
 
 namespace plsc {
 namespace {

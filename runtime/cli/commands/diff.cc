@@ -4,47 +4,29 @@
 #include <ostream>
 #include <utility>
 
-#include "compiler/changes/written_difference.h"
 #include "compiler/compile.h"
 #include "compiler/environment_text.h"
 #include "grammar/shown_line.h"
 #include "runtime/cli/arguments/git.h"
 #include "runtime/cli/files/load_program.h"
-#include "runtime/compare/difference_json.h"
 #include "runtime/compare/difference_text.h"
+#include "runtime/compare/version_difference.h"
 #include "runtime/text/unified_diff.h"
 
 namespace plsc::cli {
 
 namespace {
 
-// One of the two versions. Without text it has no genotypes.
-struct Version {
-  Source source;
-  std::vector<Program> programs;
-  std::string chosen;  ///< FILE#NAME's name; empty: all of the file
-};
-
-struct Comparison {
-  std::vector<SectionChange> texts;
-  std::vector<GenotypeDifference> robots;
-
-  bool is_different() const {
-    return std::any_of(
-        robots.begin(), robots.end(),
-        [](const GenotypeDifference& one) { return one.is_different(); });
-  }
-};
-
 bool IsGitsNothing(const std::string& path, const DiffCommand& command) {
   return command.is_git && path == "/dev/null";
 }
 
 // Prints what is wrong, of git's temporary files under `git_name`.
-std::optional<Version> ReadVersion(const std::string& path,
-                                   const std::string& git_name,
-                                   const DiffCommand& command, Io& io) {
-  if (IsGitsNothing(path, command)) return Version{Source(path, ""), {}, ""};
+std::optional<FileVersion> ReadVersion(const std::string& path,
+                                       const std::string& git_name,
+                                       const DiffCommand& command, Io& io) {
+  if (IsGitsNothing(path, command))
+    return FileVersion{Source(path, ""), {}, ""};
   // Names of git's temporary files are no GenotypePath.
   const GenotypePath from =
       command.is_git ? GenotypePath{path, ""} : SplitGenotypePath(path);
@@ -58,7 +40,7 @@ std::optional<Version> ReadVersion(const std::string& path,
     Report(compiled.diagnostics(), *source, io);
     return std::nullopt;
   }
-  Version version{std::move(*source), std::move(*compiled), from.genotype};
+  FileVersion version{std::move(*source), std::move(*compiled), from.genotype};
   if (version.chosen.empty()) return version;
   std::erase_if(version.programs, [&](const Program& program) {
     return program.genotype.name != version.chosen;
@@ -88,59 +70,17 @@ std::optional<SharedEnvironments> Chosen(const Program& before,
   return shared;
 }
 
-std::optional<GenotypeDifference> CompareOne(const Program& before,
-                                             const Program& after,
-                                             const DiffCommand& command,
-                                             Io& io) {
-  const auto shared = command.environments.empty()
-                          ? FindSharedEnvironments(before, after)
-                          : Chosen(before, after, command, io);
-  if (!shared) return std::nullopt;
-  GenotypeDifference difference;
-  difference.genotype = after.genotype.name;
-  difference.environments =
-      CompareRobots(shared->environments, before.genotype, after.genotype);
-  difference.limitation = shared->limitation;
-  return difference;
+std::optional<VersionDifference> Compare(const FileVersion& before,
+                                         const FileVersion& after,
+                                         const DiffCommand& command, Io& io) {
+  return CompareVersions(
+      before, after, [&](const Program& then, const Program& now) {
+        return command.environments.empty() ? FindSharedEnvironments(then, now)
+                                            : Chosen(then, now, command, io);
+      });
 }
 
-// Genotypes by their names; the only ones of both, whatever their names.
-std::optional<Comparison> CompareVersions(const Version& before,
-                                          const Version& after,
-                                          const DiffCommand& command, Io& io) {
-  Comparison comparison;
-  const bool is_pair =
-      before.programs.size() == 1 && after.programs.size() == 1;
-  comparison.texts = before.chosen.empty() && after.chosen.empty()
-                         ? CompareTexts(before.source, after.source)
-                         : CompareGenotypes({before.source, before.chosen},
-                                            {after.source, after.chosen});
-  const auto partner = [&](const Program& program,
-                           const Version& version) -> const Program* {
-    for (const Program& other : version.programs)
-      if (is_pair || other.genotype.name == program.genotype.name)
-        return &other;
-    return nullptr;
-  };
-  for (const Program& now : after.programs) {
-    const Program* then = partner(now, before);
-    if (then == nullptr) {
-      comparison.robots.push_back(
-          {now.genotype.name, ItemChangeKind::kAdded, {}, ""});
-      continue;
-    }
-    auto difference = CompareOne(*then, now, command, io);
-    if (!difference) return std::nullopt;
-    comparison.robots.push_back(std::move(*difference));
-  }
-  for (const Program& then : before.programs)
-    if (partner(then, after) == nullptr)
-      comparison.robots.push_back(
-          {then.genotype.name, ItemChangeKind::kRemoved, {}, ""});
-  return comparison;
-}
-
-void PrintText(const Comparison& comparison, const DiffCommand& command,
+void PrintText(const VersionDifference& comparison, const DiffCommand& command,
                Io& io) {
   DifferenceStyle style;
   style.in_color = command.color == ColorChoice::kAlways ||
@@ -190,7 +130,7 @@ Exit RunForGit(const DiffCommand& command, Io& io) {
   const auto before = ReadVersion(given[1], "a/" + path, command, io);
   const auto after = ReadVersion(given[4], "b/" + new_path, command, io);
   if (before && after) {
-    const auto comparison = CompareVersions(*before, *after, command, io);
+    const auto comparison = Compare(*before, *after, command, io);
     if (comparison) PrintText(*comparison, command, io);
     return Exit::kFine;
   }
@@ -219,7 +159,7 @@ Exit Run(const DiffCommand& command, Io& io) {
   const auto before = ReadVersion(command.files[0], "", command, io);
   const auto after = ReadVersion(command.files[1], "", command, io);
   if (!before || !after) return Exit::kTrouble;
-  const auto comparison = CompareVersions(*before, *after, command, io);
+  const auto comparison = Compare(*before, *after, command, io);
   if (!comparison) return Exit::kTrouble;
   if (command.format == OutputFormat::kJson)
     io.out << DifferenceJson(comparison->texts, comparison->robots) << '\n';

@@ -4,7 +4,6 @@
 #include <ostream>
 #include <set>
 
-#include "compiler/print.h"
 #include "grammar/shown_line.h"
 #include "runtime/cli/arguments/pictures.h"
 #include "runtime/cli/files/load_program.h"
@@ -13,11 +12,9 @@
 #include "runtime/cli/files/png.h"
 #include "runtime/cli/robots/robot_source.h"
 #include "runtime/compare/brain_difference.h"
-#include "runtime/develop/trace.h"
-#include "runtime/pictures/bodies_svg.h"
 #include "runtime/pictures/body_text.h"
-#include "runtime/pictures/brain_svg.h"
 #include "runtime/pictures/brain_text.h"
+#include "runtime/pictures/drawn_robot.h"
 #include "runtime/pictures/side_by_side.h"
 
 namespace plsc::cli {
@@ -26,59 +23,26 @@ namespace {
 
 constexpr std::string_view kStandardOutput = "-";
 
-struct Grown {
-  std::vector<DrawnBody> bodies;  ///< by environment
-  std::vector<DrawnBrain> brains;
-};
-
-std::vector<RuleIndex> MakersOf(const History& history) {
-  std::vector<RuleIndex> rules;
-  for (const StringIndex index : history.trace->module_origins) {
-    const InsertionId id = history.derivation.string()[index];
-    rules.push_back(history.derivation[id].occurrence.rule);
-  }
-  return rules;
-}
-
-std::optional<Grown> GrowAll(const RobotFound& robot, Io& io) {
+std::optional<DrawnRobot> GrowAll(const RobotFound& robot, Io& io) {
   const Genotype& genotype = robot.loaded.mapped.program.genotype;
-  Grown grown;
+  DrawnRobot grown;
   for (const NamedEnvironment& named : robot.environments) {
     const auto history = DevelopWithHistory(genotype, named.environment);
     if (!history) {
       ReportGrowth(robot.loaded, named, io);
       return std::nullopt;
     }
-    const std::string senses = SensesOf(named, genotype.states);
-    const Phenotype& phenotype = history->trace->phenotype;
-    grown.bodies.push_back(
-        {named.name, senses, phenotype.body, MakersOf(*history)});
-    grown.brains.push_back({named.name, senses, phenotype});
+    grown.Add(named, *history, genotype.states);
   }
   return grown;
 }
 
-// "rule 2: B, if hot = True (line 12)", by rule.
-std::vector<std::string> RuleTexts(const LoadedProgram& loaded) {
-  const Genotype& genotype = loaded.mapped.program.genotype;
-  std::vector<std::string> texts;
-  for (std::size_t i = 0; i < genotype.rules.size(); ++i) {
-    const Rule& rule = genotype.rules[i];
-    const Span span = loaded.mapped.map.rules[i].rule;
-    texts.push_back(fmt::format(
-        "rule {}: {}, {} (line {})", i + 1, genotype.SymbolOf(rule.head).name,
-        rule.clause.is_always() ? std::string("always")
-                                : "if " + PrintClause(rule.clause, genotype),
-        loaded.source.PositionOf(span.begin).line));
-  }
-  return texts;
-}
-
 std::string Picture(const DrawCommand& command, const RobotFound& robot,
-                    const Grown& grown) {
+                    const DrawnRobot& grown) {
   if (command.brain) return BrainsSvg(robot.title, grown.brains);
   if (command.colour == ColourBy::kRule)
-    return BodiesByRuleSvg(robot.title, grown.bodies, RuleTexts(robot.loaded));
+    return BodiesByRuleSvg(robot.title, grown.bodies,
+                           RuleTexts(robot.loaded.source, robot.loaded.mapped));
   return BodiesSvg(robot.title, grown.bodies);
 }
 
@@ -139,8 +103,9 @@ std::string DifferenceText(const std::vector<DrawnBrain>& brains) {
 }
 
 std::string TerminalText(const DrawCommand& command, const RobotFound& robot,
-                         const Grown& grown, std::size_t columns) {
-  const std::vector<std::string> rule_texts = RuleTexts(robot.loaded);
+                         const DrawnRobot& grown, std::size_t columns) {
+  const std::vector<std::string> rule_texts =
+      RuleTexts(robot.loaded.source, robot.loaded.mapped);
   CellExtent rows;  // of all, so that cores lie on a line
   for (const DrawnBody& drawn : grown.bodies) rows.Include(drawn.body);
   std::vector<std::string> blocks;

@@ -10,44 +10,27 @@
 #include "runtime/cli/files/open_run.h"
 #include "runtime/cli/files/output_path.h"
 #include "runtime/cli/robots/robot_source.h"
-#include "runtime/history/explain_json.h"
+#include "runtime/history/explained_robot.h"
 #include "runtime/pages/page.h"
 
 namespace plsc::cli {
 
 namespace {
 
-/// Most symbols that a robot's rewritings may have together: a page of more
-/// elements answers slowly to the pointer. The paper's have hundreds.
-constexpr std::size_t kMostSymbols = 20000;
-
 Expected<ExplainedRobot, Exit> ExplainOne(const RobotAsked& asked, Io& io) {
   auto found = FindRobot(asked, io);
   if (!found) return found.error();
-  RobotFound& robot = *found;
-  const Genotype& genotype = robot.loaded.mapped.program.genotype;
-  ExplainedRobot explained{
-      robot.title, robot.loaded.source, genotype, robot.loaded.mapped.map, {}};
-  std::size_t symbols = 0;
-  for (const NamedEnvironment& named : robot.environments) {
-    auto history = DevelopWithHistory(genotype, named.environment);
-    if (!history) {
-      ReportGrowth(robot.loaded, named, io);
-      return Exit::kBadInput;
-    }
-    for (const auto& step : history->derivation.steps) symbols += step.size();
-    if (symbols > kMostSymbols) {
-      io.err << fmt::format(
-          "error: the rewritings of {} have more than {} symbols, too many for "
-          "a page\n  = help: fewer environments (--env), or ask `plsc why`\n",
-          robot.title, kMostSymbols);
-      return Exit::kBadInput;
-    }
-    explained.environments.push_back({named.name,
-                                      SensesOf(named, genotype.states),
-                                      named.environment, std::move(*history)});
-  }
-  return explained;
+  const RobotFound& robot = *found;
+  auto explained = ExplainRobot(robot.title, robot.loaded.source,
+                                robot.loaded.mapped, robot.environments);
+  if (explained) return std::move(*explained);
+  if (explained.error().why == NotExplained::Why::kGrown)
+    ReportGrowth(robot.loaded, explained.error().environment, io);
+  else
+    io.err << fmt::format(
+        "error: {}\n  = help: fewer environments (--env), or ask `plsc why`\n",
+        TooManyToShow(robot.title));
+  return Exit::kBadInput;
 }
 
 /// One robot each.

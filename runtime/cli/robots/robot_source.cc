@@ -133,10 +133,4 @@ bool CanLive(const Scenario& scenario, const Genotype& genotype, Io& io) {
   return problems.empty();
 }
 
-std::string SensesOf(const NamedEnvironment& named,
-                     const std::vector<State>& states) {
-  std::string senses = PrintEnvironment(named.environment, states);
-  return senses == named.name ? std::string() : senses;
-}
-
 }  // namespace plsc::cli

@@ -57,8 +57,4 @@ bool IsRobotNamed(const std::string& file, const std::string& individual,
 /// senses and cannot feel. Prints what is wrong.
 bool CanLive(const Scenario& scenario, const Genotype& genotype, Io& io);
 
-/// What is sensed, unless the name says it.
-std::string SensesOf(const NamedEnvironment& named,
-                     const std::vector<State>& states);
-
 }  // namespace plsc::cli

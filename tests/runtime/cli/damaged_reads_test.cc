@@ -11,6 +11,7 @@
 
 #include "tests/runtime/cli/run_plsc.h"
 #include "tests/runtime/cli/tiny_run.h"
+#include "tests/sanitizer.h"
 
 namespace plsc {
 namespace {
@@ -89,7 +90,7 @@ void FlipBits(CommandLines (*commands_of)(const std::string&,
     expected.push_back(*output);
   }
   std::mt19937 random(seed);
-  for (int i = 0; i < times; ++i) {
+  for (int i = 0; i < test::Sampled(times); ++i) {
     const std::size_t bit = random() % (8 * whole.size());
     std::string bytes = whole;
     bytes[bit / 8] = static_cast<char>(bytes[bit / 8] ^ (1 << (bit % 8)));

@@ -29,11 +29,11 @@ TEST_CASE("The JSON of a claim says what, since when, and what was found",
   CHECK(json[0]["verdict"] == "holds");
   CHECK(json[0]["relived"].is_null());
   CHECK(json[0]["told"] == "recorded");
-  CHECK(json[0]["runs_completed"] == nlohmann::json{5, 5});
+  CHECK(json[0]["runs_completed"] == nlohmann::ordered_json{5, 5});
   CHECK(json[0]["withdrawn"].is_null());
   CHECK(json[0]["stated"]["when"] == "before the first run");
   const auto& found = json[0]["recorded"];
-  CHECK(found["medians"] == nlohmann::json{12, 2});
+  CHECK(found["medians"] == nlohmann::ordered_json{12, 2});
   CHECK(found["ratio"] == 6);
   CHECK(found["a"] == 1);
   CHECK(found["interval"][1] == 1);

@@ -15,7 +15,8 @@ TEST_CASE("check finds what 'plsc check --lint' finds", "[service]") {
   auto texts = test::ExampleTexts();
   for (const char* broken :
        {"plsc 1\nalphabet plasticoding 1\nrul C -> C\n", "", "\t\x01 \u00e4",
-        "plsc 1\nalphabet plasticoding 1\nrule B -> { B }\nrule C -> { C A1(9) }\n",
+        "plsc 1\nalphabet plasticoding 1\nrule B -> { B }\nrule C -> { C A1(9) "
+        "}\n",
         "plsc 1\nalphabet plasticoding 1\nsense a: bool\n"
         "rule C -> if a = True and a = False then { C B }\n"})
     texts.emplace_back("broken.pls", broken);

@@ -16,6 +16,7 @@
 #include "runtime/store/run_store.h"
 #include "runtime/store/verify.h"
 #include "tests/runtime/store/stored_run.h"
+#include "tests/sanitizer.h"
 
 namespace plsc {
 
@@ -130,7 +131,8 @@ std::set<std::string> LinesOf(const std::string& text) {
   return all;
 }
 
-void FlipBits(int generations, int times, unsigned seed) {
+void FlipBits(int generations, int most, unsigned seed) {
+  const int times = test::Sampled(most);
   const test::Scratch scratch;
   const std::string path = scratch / "run";
   test::WriteRun(path, generations);

@@ -9,20 +9,10 @@
 
 #include <cinttypes>
 #include <cstdio>
-#include <cstdlib>
 #include <fstream>
-#include <memory>
 #include <string>
 
 #include "tests/sim/articulated/short_lives.h"
-
-namespace plsc {
-
-std::unique_ptr<Engine> MakeOdeEngine(const Scene& /*scene*/) {
-  std::abort();  // no life asks for it
-}
-
-}  // namespace plsc
 
 namespace {
 
