@@ -76,6 +76,7 @@ void GenerationEvaluator::Plan(std::size_t robot) {
   open.trials = TrialsOf(plan_, planner_, one);
   open.lives.resize(open.trials.size());
   std::vector<std::vector<LifePiece>> pieces;
+  pieces.reserve(open.trials.size());
   for (std::size_t i = 0; i < open.trials.size(); ++i) {
     open.lives[i].resize(planner_.scenario().seasons.size());
     pieces.push_back(
@@ -84,8 +85,10 @@ void GenerationEvaluator::Plan(std::size_t robot) {
   }
   if (open.pieces == 0) known_.push_back(robot);
   for (std::size_t i = 0; i < pieces.size(); ++i)
-    for (LifePiece& piece : pieces[i])
-      Take({robot, i, piece.first}, std::move(piece));
+    for (LifePiece& piece : pieces[i]) {
+      const Place place = {robot, i, piece.first};
+      Take(place, std::move(piece));
+    }
 }
 
 void GenerationEvaluator::Take(const Place& place, LifePiece piece) {
@@ -174,6 +177,7 @@ EvaluatedLife GenerationEvaluator::Assemble(std::size_t robot) {
   const Individual& one = (*robots_)[robot];
   const OpenRobot& open = open_[robot];
   std::vector<EvaluatedLife> lives;
+  lives.reserve(open.trials.size());
   for (std::size_t i = 0; i < open.trials.size(); ++i)
     lives.push_back(planner_.Assemble(one.genotype, one.heritage.senses,
                                       open.lives[i], open.trials[i]));

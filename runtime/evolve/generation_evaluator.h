@@ -41,11 +41,11 @@ class GenerationEvaluator {
  public:
   /// Of own lives (`plan`) caches are neither asked nor told.
   GenerationEvaluator(const LifePlanner& planner, Workers& workers,
-                      std::vector<SimulationCache*> caches, TrialPlan plan = {})
+                      std::vector<SimulationCache*> caches, const TrialPlan& plan = {})
       : planner_(planner),
         workers_(workers),
         caches_(std::move(caches)),
-        plan_(std::move(plan)) {
+        plan_(plan) {
     if (plan_.options.own_lives) caches_.clear();
   }
 

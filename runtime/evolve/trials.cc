@@ -142,6 +142,7 @@ double MeanOf(const std::vector<double>& values) {
 void Combine(const std::vector<Trial>& trials, const TrialOptions& options,
              SeasonResult& result, SeasonEvidence& evidence) {
   std::vector<std::optional<double>> fitnesses;
+  fitnesses.reserve(trials.size());
   for (const Trial& trial : trials) fitnesses.push_back(trial.result.fitness);
   result.fitness = FitnessOver(fitnesses, options.quantile);
   const auto broken =
@@ -173,6 +174,7 @@ std::vector<Disturbances> TrialsOf(const TrialPlan& plan,
   if (!HasTrials(plan.options)) return {one.disturbances};
   assert(one.disturbances.empty() && plan.options.count >= 1);
   std::vector<Disturbances> trials;
+  trials.reserve(static_cast<std::size_t>(plan.options.count));
   Drawing drawing(plan, planner, one);
   for (int i = 0; i < plan.options.count; ++i) trials.push_back(drawing.Next());
   return trials;

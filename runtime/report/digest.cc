@@ -1,9 +1,9 @@
 // A digest keeps what statistics are made of, the runs' means and their best
-// robots by generation, and drops what only looks further: robots, portraits,
-// rules. Numbers have six digits and generations are thinned out, so that a run
-// of the paper is 7 KB, 3 of them the genotype; the last generation, which is
-// compared, is always kept. Between generations that were kept there is no
-// number, as where no robot has a value.
+// robots by generation and what these did when they lived again, and drops what
+// only looks further: robots, portraits, rules. Numbers have six digits and
+// generations are thinned out, so that a run of the paper is 7 KB, 3 of them
+// the genotype; the last generation, which is compared, is always kept. Between
+// generations that were kept there is no number, as where no robot has a value.
 
 #include "runtime/report/digest.h"
 
@@ -34,6 +34,14 @@ Expected<std::string, Failure> GenotypeOf(const std::string& path, int id) {
   return Print(robot->genotype);
 }
 
+/// Made by programs of the same results, and so the same robots.
+bool AreSameResults(const DigestRun& one, const DigestRun& other) {
+  return one.reading.facts.versions.results ==
+             other.reading.facts.versions.results &&
+         one.reading.facts.best == other.reading.facts.best &&
+         one.genotype == other.genotype;
+}
+
 }  // namespace
 
 bool IsKept(int generation, int generations, int every) {
@@ -54,6 +62,10 @@ Expected<std::optional<DigestRun>, Failure> DigestOf(const std::string& folder,
       GenotypeOf(path, one.reading.facts.best);
   if (!genotype) return genotype.error();
   one.genotype = std::move(*genotype);
+  RelivedReading relived =
+      ReadRelived(path, one.reading.population.generations - 1);
+  if (relived.state == RelivedState::kUnusable) return Failure(relived.problem);
+  if (relived.state == RelivedState::kHere) one.relived = std::move(relived);
   return std::optional(std::move(one));
 }
 
@@ -85,10 +97,13 @@ void AddRun(DigestRun run, Digest& digest) {
                        [](const DigestRun& one, const auto& wanted) {
                          return PlaceOf(one.run) < wanted;
                        });
-  if (place != digest.runs.end() && place->run == run.run)
-    *place = std::move(run);
-  else
+  if (place == digest.runs.end() || !(place->run == run.run)) {
     digest.runs.insert(place, std::move(run));
+    return;
+  }
+  if (run.relived.state != RelivedState::kHere && AreSameResults(*place, run))
+    run.relived = std::move(place->relived);
+  *place = std::move(run);
 }
 
 std::string CommandFor(const Study& study, const StudyRun& run) {

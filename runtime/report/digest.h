@@ -15,6 +15,7 @@
 #include "grammar/expected.h"
 #include "grammar/failure.h"
 #include "grammar/result.h"
+#include "runtime/report/read_relived.h"
 #include "runtime/report/read_run.h"
 #include "runtime/study/report_measures.h"
 #include "runtime/study/study.h"
@@ -30,6 +31,9 @@ struct DigestRun {
   /// kDone. Without portrait, rules and constants; numbers with six digits, of
   /// every Digest::every-th generation and the last.
   RunReading reading;
+  /// kHere or kMissing. Of the last generation; without its robots, and without
+  /// quartiles over them.
+  RelivedReading relived{};
 };
 
 struct Digest {
@@ -58,7 +62,8 @@ Expected<std::optional<DigestRun>, Failure> DigestOf(const std::string& folder,
 RunReading ReadingOf(const Digest& digest, const DigestRun& run,
                      const std::vector<ReportMeasure>& measures);
 
-/// Adds a run, in its place, or puts it where it was.
+/// Adds a run, in its place, or puts it where it was. What was lived again
+/// stays, if the same run comes without it.
 void AddRun(DigestRun run, Digest& digest);
 
 /// The command that makes the run's store again.

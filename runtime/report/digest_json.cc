@@ -8,12 +8,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <optional>
 
 #include "compiler/compile.h"
 #include "runtime/report/digest.h"
+#include "runtime/report/digest_relived_json.h"
 #include "runtime/report/rounded_json.h"
 #include "runtime/store/schema.h"
 #include "runtime/study/claims_record.h"
@@ -39,24 +41,50 @@ std::vector<int> KeptOf(int generations, int every) {
   return kept;
 }
 
-Json NumbersJson(const std::vector<double>& values,
-                 const std::vector<int>& kept) {
+/// Of the generations that are kept; or of all, if the curve is needed whole
+/// and is there.
+Json NumbersJson(const std::vector<double>& values, std::vector<int> kept,
+                 bool is_whole) {
+  if (is_whole && std::none_of(values.begin(), values.end(),
+                               [](double one) { return std::isnan(one); }))
+    kept = KeptOf(static_cast<int>(values.size()), 1);
   Json json = Json::array();
   for (const int generation : kept)
     json.push_back(RoundedNumber(values[static_cast<std::size_t>(generation)]));
   return json;
 }
 
-Json KeptSeries(const Digest& digest, const PopulationSummary& population,
-                const std::vector<int>& kept) {
+/// Whether it is claimed when the curve is at its lowest, which a gap hides.
+bool IsCourse(const std::vector<Claim>& claims, const std::string& experiment,
+              const ReportMeasure& measure, const std::string& season,
+              ClaimOf of) {
+  return std::any_of(claims.begin(), claims.end(), [&](const Claim& claim) {
+    return claim.kind == ClaimKind::kMinimumBefore && claim.of == of &&
+           claim.measure == MeasureName(measure) &&
+           claim.experiments.front() == experiment &&
+           claim.seasons.front() == season;
+  });
+}
+
+Json KeptSeries(const Digest& digest, const std::vector<Claim>& claims,
+                const DigestRun& one, const std::vector<int>& kept) {
+  const PopulationSummary& population = one.reading.population;
+  const std::string& experiment =
+      digest.study.experiments[one.run.experiment].name;
   Json json = Json::object();
-  for (std::size_t measure = 0; measure < digest.measures.size(); ++measure) {
-    Json& seasons = json[digest.measures[measure].id];
+  for (std::size_t i = 0; i < digest.measures.size(); ++i) {
+    const ReportMeasure& measure = digest.measures[i];
+    Json& seasons = json[measure.id];
     for (std::size_t season = 0; season < population.seasons.size(); ++season) {
-      const Series& series = population.of(measure, season);
+      const Series& series = population.of(i, season);
+      const auto numbers = [&](const std::vector<double>& values, ClaimOf of) {
+        return NumbersJson(values, kept,
+                           IsCourse(claims, experiment, measure,
+                                    population.seasons[season], of));
+      };
       seasons[population.seasons[season]] = {
-          {"mean", NumbersJson(series.means, kept)},
-          {"best", NumbersJson(series.best, kept)}};
+          {"mean", numbers(series.means, ClaimOf::kMean)},
+          {"best", numbers(series.best, ClaimOf::kBest)}};
     }
   }
   return json;
@@ -100,7 +128,8 @@ Json KeptWork(const WorkDone& work) {
           {"looked_up", work.looked_up}};
 }
 
-Json KeptRun(const Digest& digest, const DigestRun& one) {
+Json KeptRun(const Digest& digest, const std::vector<Claim>& claims,
+             const DigestRun& one) {
   const RunReading& reading = one.reading;
   const std::vector<int> kept =
       KeptOf(reading.population.generations, digest.every);
@@ -112,9 +141,12 @@ Json KeptRun(const Digest& digest, const DigestRun& one) {
             {"work", KeptWork(reading.facts.work)},
             {"evaluations", reading.facts.evaluations},
             {"generations", kept},
-            {"series", KeptSeries(digest, reading.population, kept)}};
+            {"series", KeptSeries(digest, claims, one, kept)}};
   json["census"] = KeptCensuses(reading.population.censuses, kept);
   json["servo_errors"] = KeptErrors(reading.population.errors);
+  json["relived"] = one.relived.state == RelivedState::kHere
+                        ? KeptRelived(digest, one)
+                        : Json(nullptr);
   json["best"] = {{"id", reading.facts.best}, {"genotype", one.genotype}};
   return json;
 }
@@ -133,20 +165,23 @@ class GenerationsReader {
     });
   }
 
-  std::vector<double> Read(const JsonValue& object, std::string_view key) {
+  /// Curves that something is claimed of may be whole.
+  std::vector<double> Read(const JsonValue& object, std::string_view key,
+                           bool may_be_whole) {
     std::vector<double> values(static_cast<std::size_t>(generations_),
                                kNotKept);
-    std::size_t count = 0;
+    std::vector<double> read;
     reader_.List(object, key, [&](const JsonValue& one) {
-      if (count < kept_.size() && !one.json.is_null())
-        values[static_cast<std::size_t>(kept_[count])] = reader_.Number(one);
-      ++count;
+      read.push_back(one.json.is_null() ? kNotKept : reader_.Number(one));
     });
-    if (count != kept_.size())
+    if (may_be_whole && read.size() == values.size()) return read;
+    if (read.size() != kept_.size())
       reader_.Error(object, Code::kMisfit,
                     fmt::format("expected {} numbers for '{}', one a "
                                 "generation, found {}",
-                                kept_.size(), key, count));
+                                kept_.size(), key, read.size()));
+    for (std::size_t i = 0; i < std::min(read.size(), kept_.size()); ++i)
+      values[static_cast<std::size_t>(kept_[i])] = read[i];
     return values;
   }
 
@@ -161,8 +196,8 @@ Series ReadSeries(JsonReader& reader, const JsonValue& value,
   static constexpr std::array<std::string_view, 2> kKnown{"mean", "best"};
   Series series;
   if (!reader.IsObject(value, kKnown)) return series;
-  series.means = generations.Read(value, "mean");
-  series.best = generations.Read(value, "best");
+  series.means = generations.Read(value, "mean", true);
+  series.best = generations.Read(value, "best", true);
   return series;
 }
 
@@ -174,7 +209,7 @@ std::vector<std::int64_t> ReadCounts(JsonReader& reader,
   reader.List(census, name,
               [&](const JsonValue& one) { reader.Integer(one, 0, kMostInt); });
   std::vector<std::int64_t> counts;
-  for (const double value : generations.Read(census, name))
+  for (const double value : generations.Read(census, name, false))
     counts.push_back(
         value >= 0 && value <= kMostInt ? static_cast<std::int64_t>(value) : 0);
   return counts;
@@ -252,10 +287,10 @@ std::optional<StudyRun> ReadPlace(JsonReader& reader, const JsonValue& value,
 }
 
 void ReadKept(JsonReader& reader, const JsonValue& value, Digest& digest) {
-  static constexpr std::array<std::string_view, 12> kKnown{
-      "experiment", "repetition", "seed",         "command",
-      "versions",   "work",       "evaluations",  "generations",
-      "series",     "census",     "servo_errors", "best"};
+  static constexpr std::array<std::string_view, 13> kKnown{
+      "experiment",   "repetition",  "seed",        "command", "versions",
+      "work",         "evaluations", "generations", "series",  "census",
+      "servo_errors", "relived",     "best"};
   if (!reader.IsObject(value, kKnown)) return;
   const std::optional<StudyRun> place = ReadPlace(reader, value, digest.study);
   if (!place) return;
@@ -292,6 +327,13 @@ void ReadKept(JsonReader& reader, const JsonValue& value, Digest& digest) {
       reader.Error(best, Code::kMisfit, "'genotype' does not compile");
   });
   ReadPopulation(reader, value, digest, reading.experiment, reading.population);
+  // A digest may be of a time when none were kept.
+  if (reader.Has(value, "relived"))
+    reader.With(value, "relived", [&](const JsonValue& relived) {
+      if (!relived.json.is_null())
+        one.relived =
+            ReadKeptRelived(reader, relived, reading.population.seasons);
+    });
   if (reader.errors().empty()) AddRun(std::move(one), digest);
 }
 
@@ -320,9 +362,13 @@ std::string PrintDigest(const Digest& digest) {
   text += fmt::format(
       "\"claims\":{},\n\"measures\":{},\n\"every\":{},\n\"runs\":[",
       DumpJson(Json(digest.claims)), DumpJson(measures), digest.every);
+  std::vector<Claim> claims;
+  if (const auto record = ParseClaimsRecord(digest.claims, "the study"))
+    for (const StatedClaim& one : StatedClaims(*record))
+      claims.push_back(one.claim);
   const char* separator = "\n";
   for (const DigestRun& one : digest.runs) {
-    text += separator + DumpJson(KeptRun(digest, one));
+    text += separator + DumpJson(KeptRun(digest, claims, one));
     separator = ",\n";
   }
   return text + "\n]}\n";

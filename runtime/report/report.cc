@@ -121,21 +121,6 @@ int ComparedGeneration(const StudyReport& report) {
   return compared;
 }
 
-/// And those that claims are about, which are shown, too.
-std::vector<ReportMeasure> WithClaimed(
-    std::vector<ReportMeasure> measures,
-    const std::vector<StudyClaims>& studies) {
-  for (const StudyClaims& study : studies)
-    for (const ClaimsVersion& version : study.record)
-      for (const Claim& claim : version.claims) {
-        const std::optional<ReportMeasure> measure = FindMeasure(claim.measure);
-        if (measure && std::find(measures.begin(), measures.end(), *measure) ==
-                           measures.end())
-          measures.push_back(*measure);
-      }
-  return measures;
-}
-
 }  // namespace
 
 StudyReport BuildReport(const ReportInputs& inputs,
@@ -144,7 +129,9 @@ StudyReport BuildReport(const ReportInputs& inputs,
   StudyReport report;
   report.title = inputs.title;
   report.claims = inputs.claims;
-  report.measures = WithClaimed(measures, inputs.claims);
+  report.measures = measures;
+  for (const StudyClaims& study : inputs.claims)
+    AddClaimedMeasures(study.record, report.measures);
   report.is_single = inputs.runs.size() == 1;
   report.is_verified = verify;
   const ReadOptions options{report.measures, report.is_single, verify};
@@ -165,11 +152,18 @@ StudyReport BuildReport(const ReportInputs& inputs,
 }
 
 void AddRelived(StudyReport& report) {
-  for (ReportRun& run : report.runs)
-    if (report.generation >= 0 &&
-        report.generation < run.reading.population.generations &&
-        run.input.digest == nullptr)
-      run.relived = ReadRelived(run.input.path, report.generation);
+  for (ReportRun& run : report.runs) {
+    if (report.generation < 0 ||
+        report.generation >= run.reading.population.generations)
+      continue;
+    run.relived = run.input.kept != nullptr
+                      ? run.input.kept->relived
+                      : ReadRelived(run.input.path, report.generation);
+    // A digest has those of the last one.
+    if (run.relived.state == RelivedState::kHere &&
+        run.relived.generation.generation != report.generation)
+      run.relived = {RelivedState::kOlder, "", {}};
+  }
 }
 
 }  // namespace plsc

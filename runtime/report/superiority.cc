@@ -27,15 +27,16 @@ namespace plsc {
 namespace {
 
 constexpr int kReplicates = 10'000;
-constexpr double kNone = 0.5;  // A without a difference
+constexpr double kNoDifference = 0.5;  // A without a difference
 
 /// Each value by its place among all different ones of both samples.
-struct Places {
+struct JointPlaces {
   std::vector<std::size_t> x, y;
   std::size_t count = 0;
 };
 
-Places PlacesOf(const std::vector<double>& x, const std::vector<double>& y) {
+JointPlaces JointPlacesOf(const std::vector<double>& x,
+                          const std::vector<double>& y) {
   std::vector<double> all = x;
   all.insert(all.end(), y.begin(), y.end());
   std::sort(all.begin(), all.end());
@@ -44,7 +45,7 @@ Places PlacesOf(const std::vector<double>& x, const std::vector<double>& y) {
     return static_cast<std::size_t>(
         std::lower_bound(all.begin(), all.end(), value) - all.begin());
   };
-  Places places;
+  JointPlaces places;
   places.count = all.size();
   for (const double value : x) places.x.push_back(place(value));
   for (const double value : y) places.y.push_back(place(value));
@@ -95,15 +96,15 @@ std::vector<double> MeansWithoutOne(const std::vector<double>& values) {
 /// Of k pairs that are all alike: 0, 1 or a half.
 Interval OfAllAlike(double a, std::size_t k) {
   const double u = 1 - std::pow(kOutside / 2, 1 / static_cast<double>(k));
-  if (a == kNone) return {kNone - u / 2, kNone + u / 2};
-  return a > kNone ? Interval{1 - u, 1} : Interval{0, u};
+  if (a == kNoDifference) return {kNoDifference - u / 2, kNoDifference + u / 2};
+  return a > kNoDifference ? Interval{1 - u, 1} : Interval{0, u};
 }
 
 }  // namespace
 
 Superiority SuperiorityOf(const std::vector<double>& x,
                           const std::vector<double>& y, Rng& rng) {
-  const Places places = PlacesOf(x, y);
+  const JointPlaces places = JointPlacesOf(x, y);
   Superiority result;
   result.a = SuperiorityAt(places.x, places.y, places.count);
   if (places.count == 1 || result.a == 0 || result.a == 1) {
@@ -134,7 +135,7 @@ Superiority PairedSuperiority(const std::vector<double>& x,
                               const std::vector<double>& y, Rng& rng) {
   std::vector<double> pairs;
   for (std::size_t i = 0; i < x.size(); ++i)
-    pairs.push_back(x[i] == y[i] ? kNone : (x[i] > y[i] ? 1 : 0));
+    pairs.push_back(x[i] == y[i] ? kNoDifference : (x[i] > y[i] ? 1 : 0));
   Superiority result;
   result.a = MeanOf(pairs);
   if (std::adjacent_find(pairs.begin(), pairs.end(), std::not_equal_to<>()) ==

@@ -232,6 +232,17 @@ Expected<ClaimsRecord, Failure> ClaimsIn(const std::string& folder) {
   return ParseClaimsRecord(*texts, folder);
 }
 
+void AddClaimedMeasures(const ClaimsRecord& record,
+                        std::vector<ReportMeasure>& measures) {
+  for (const ClaimsVersion& version : record)
+    for (const Claim& claim : version.claims) {
+      const std::optional<ReportMeasure> measure = FindMeasure(claim.measure);
+      if (measure && std::find(measures.begin(), measures.end(), *measure) ==
+                         measures.end())
+        measures.push_back(*measure);
+    }
+}
+
 std::vector<StatedClaim> StatedClaims(const ClaimsRecord& record) {
   std::vector<StatedClaim> stands;
   std::vector<StatedClaim> withdrawn;

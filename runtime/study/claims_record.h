@@ -15,6 +15,7 @@
 #include "grammar/expected.h"
 #include "grammar/failure.h"
 #include "runtime/study/claim.h"
+#include "runtime/study/report_measures.h"
 
 namespace plsc {
 
@@ -48,6 +49,10 @@ Expected<std::vector<std::string>, Failure> ClaimsTextsIn(
     const std::string& folder);
 Expected<ClaimsRecord, Failure> ParseClaimsRecord(
     const std::vector<std::string>& texts, const std::string& where);
+
+/// Adds those that were ever claimed of, unless they are there.
+void AddClaimedMeasures(const ClaimsRecord& record,
+                        std::vector<ReportMeasure>& measures);
 
 /// A claim that was ever made in the folder.
 struct StatedClaim {

@@ -28,10 +28,12 @@ void Add(Options& options, ReportCommand& command) {
   options.Choice(
       "--format", command.format,
       "html (default); json: what the page shows, as one object; text: what "
-      "became of the study's claims",
+      "became of the study's claims; files: into the folder -o tables (CSV, "
+      "and tables.md) and figures (SVG), each replaced as a whole",
       {{"html", ReportFormat::kHtml},
        {"json", ReportFormat::kJson},
-       {"text", ReportFormat::kText}});
+       {"text", ReportFormat::kText},
+       {"files", ReportFormat::kFiles}});
   options.Flag("--verify", command.verify,
                "compare all results with their checksums first (about a "
                "second for 10,000 robots); what is damaged is left out");
@@ -62,6 +64,7 @@ void Add(Options& options, ReportCommand& command) {
       "damaged is told and left out.\n\n"
       "  plsc report small -o report.html\n"
       "  plsc report small --format text\n"
+      "  plsc report paper.digest.json --format files -o figures\n"
       "  plsc report small/plastic small/baseline -o report.html\n"
       "  plsc report run1.sqlite --measures all -o run1.html\n"
       "  plsc report paper --check-engine 10 -o paper.html\n"

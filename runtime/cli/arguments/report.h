@@ -16,12 +16,13 @@ class Options;
 enum class ReportFormat : std::uint8_t {
   kHtml,
   kJson,
-  kText,  ///< of the claims alone
+  kText,   ///< of the claims alone
+  kFiles,  ///< a folder of tables and figures
 };
 
 struct ReportCommand {
   std::vector<std::string> paths;  ///< folders of studies, runs
-  std::string output;              ///< empty: standard output, no page
+  std::string output;              ///< empty: standard output, kJson, kText
   bool force = false;              ///< as Output::force
   std::string measures = "paper";
   ReportFormat format = ReportFormat::kHtml;

@@ -3,10 +3,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 #include <ostream>
 
 #include "runtime/cli/arguments/report.h"
+#include "runtime/cli/commands/report_files.h"
 #include "runtime/cli/files/open_run.h"
 #include "runtime/cli/files/output_path.h"
 #include "runtime/cli/running/interrupt.h"
@@ -150,18 +152,25 @@ bool ReliveRuns(int lives, bool is_quiet, const StudyReport& report, Io& io) {
 
 /// Reads what was lived again, and says what of it is of no use any more.
 void TakeRelived(const ReportCommand& command, StudyReport& report, Io& io) {
-  report.relive_command =
-      fmt::format("plsc relive {}", fmt::join(command.paths, " "));
+  const bool has_digests = std::any_of(
+      report.runs.begin(), report.runs.end(),
+      [](const ReportRun& run) { return run.input.digest != nullptr; });
+  if (!has_digests)
+    report.relive_command =
+        fmt::format("plsc relive {}", fmt::join(command.paths, " "));
   AddRelived(report);
   for (const ReportRun& run : report.runs) {
     if (run.relived.state == RelivedState::kUnusable)
       io.err << fmt::format("warning: {}\n", Escaped(run.relived.problem));
-    if (run.relived.state == RelivedState::kOlder)
-      io.err << fmt::format(
-          "warning: relived lives of {} are of another generation than {}; "
-          "plsc relive {} --generations {} adds them\n",
-          Escaped(run.input.label), report.generation, Escaped(run.input.path),
-          report.generation);
+    if (run.relived.state != RelivedState::kOlder) continue;
+    io.err << fmt::format(
+        "warning: relived lives of {} are of another generation than {}",
+        Escaped(run.input.label), report.generation);
+    // A digest has no stores to add to.
+    if (run.input.digest == nullptr)
+      io.err << fmt::format("; plsc relive {} --generations {} adds them",
+                            Escaped(run.input.path), report.generation);
+    io.err << '\n';
   }
 }
 
@@ -186,8 +195,11 @@ Exit Write(const ReportCommand& command, const StudyReport& report, Io& io) {
   const std::vector<ClaimResult> claims = ClaimResultsOf(report);
   if (command.format == ReportFormat::kText && claims.empty())
     return Complain("no whole study that was named claims anything", io);
-  const std::string text = TextOf(command, report, claims);
-  if (!WriteOutput(OutputOf(command), text, io)) return Exit::kBadInput;
+  const bool is_written =
+      command.format == ReportFormat::kFiles
+          ? WriteFiles(command, report, claims, io)
+          : WriteOutput(OutputOf(command), TextOf(command, report, claims), io);
+  if (!is_written) return Exit::kBadInput;
   if (!command.quiet && !command.output.empty() && command.output != "-")
     io.out << fmt::format("{}: {}{}\n", Escaped(command.output),
                           Summary(report),
@@ -201,7 +213,12 @@ Exit Run(const ReportCommand& command, Io& io) {
   const bool is_page = command.format == ReportFormat::kHtml;
   if (is_page && command.output.empty())
     return WrongUsage("where should the page go? add -o FILE", io);
-  if (!CanWrite(OutputOf(command), io)) return Exit::kBadInput;
+  const bool is_folder = command.format == ReportFormat::kFiles;
+  if (is_folder && (command.output.empty() || command.output == "-"))
+    return WrongUsage("where should the files go? add -o FOLDER", io);
+  if (!(is_folder ? CanWriteFiles(command, io)
+                  : CanWrite(OutputOf(command), io)))
+    return Exit::kBadInput;
   const auto measures = ChooseMeasures(command.measures);
   if (!measures) return WrongUsage(measures.error().text.c_str(), io);
   const Expected<ReportInputs, Failure> inputs = FindRuns(command.paths);
@@ -209,7 +226,7 @@ Exit Run(const ReportCommand& command, Io& io) {
   if (is_page && !HasPages())
     return Complain(
         "this plsc was built without npm and has no pages; "
-        "--format json and text work",
+        "--format json, text and files work",
         io);
   if ((command.verify || command.relive || command.check_engine) &&
       HasDigests(*inputs))

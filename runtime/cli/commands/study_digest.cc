@@ -65,6 +65,9 @@ std::optional<Failure> ChooseKept(const StudyDigestCommand& command,
       if (std::find(measures.begin(), measures.end(), one) == measures.end())
         measures.push_back(one);
   }
+  const auto record = ParseClaimsRecord(digest.claims, command.folder);
+  if (!record) return record.error();
+  AddClaimedMeasures(*record, measures);
   Measure(measures, digest);
   if (command.every) digest.every = *command.every;
   return std::nullopt;
@@ -124,9 +127,9 @@ Exit Run(const StudyDigestCommand& command, Io& io) {
         io);
   digest->study.repetitions =
       std::max(digest->study.repetitions, study->repetitions);
-  if (const auto failure = ChooseKept(command, *digest))
-    return Complain(*failure, io);
   if (const auto failure = TakeClaims(command, *digest, io))
+    return Complain(*failure, io);
+  if (const auto failure = ChooseKept(command, *digest))
     return Complain(*failure, io);
   const Added added = AddRuns(command, *digest, io);
   if (!WriteOutput(output, PrintDigest(*digest), io)) return Exit::kBadInput;

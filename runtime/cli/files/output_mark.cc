@@ -5,6 +5,7 @@
 
 #include "runtime/report/claims_text.h"
 #include "runtime/report/digest.h"
+#include "runtime/report/tables.h"
 
 namespace plsc::cli {
 
@@ -33,6 +34,8 @@ constexpr std::array kMarks{
     Mark{OutputKind::kScenario, "scenario of trajectories", kScenarioMark, ""},
     Mark{OutputKind::kReport, "report", R"({"plsc_report":)", ""},
     Mark{OutputKind::kClaims, "list of claims", kClaimsMark, ""},
+    Mark{OutputKind::kReportTable, "table", kTableMark, ""},
+    Mark{OutputKind::kReportTables, "list of tables", kTablesMark, ""},
     Mark{OutputKind::kDigest, "digest", kDigestMark, ""},
     Mark{OutputKind::kChildren, "list of children", R"({"seed":)",
          R"(,"text":"plsc 1)"},

@@ -20,7 +20,9 @@ enum class OutputKind : std::uint8_t {
   kTrajectory,
   kScenario,  ///< beside trajectories
   kReport,
-  kClaims,  ///< of a report, as text
+  kClaims,        ///< of a report, as text
+  kReportTable,   ///< as CSV
+  kReportTables,  ///< as Markdown
   kDigest,
   kChildren,  ///< JSON lines of mutate and cross
   kRunLines,  ///< JSON lines of a run

@@ -13,6 +13,6 @@ const nobody = {
 
 export function openDoor(data) {
   if (data.server) return new ServerDoor(data.server);
-  if (data.module) return new ModuleDoor(data.module, data.glue);
+  if (data.module) return new ModuleDoor(data.module);
   return nobody;
 }

@@ -5,7 +5,8 @@ import { menu } from "./menu.js";
 const stem = (name) => name.replace(/\.pls$/, "");
 
 // state(): {text, name, scenario, genotype, view}; `view` is the last life's, if any.
-export function downloadMenu(door, state, warn) {
+// `copy`: a PageCopy where the page needs nobody else; else null.
+export function downloadMenu(door, copy, state, warn) {
   const picture = async (what, suffix) => {
     const { text, name, scenario, ...rest } = state();
     const answer = await door.ask({ ask: "picture", text, name, scenario, ...(rest.genotype ? { genotype: rest.genotype } : {}) });
@@ -23,5 +24,10 @@ export function downloadMenu(door, state, warn) {
     ["Drawing of the brains (.svg)", () => picture("brain", "-brain")],
     ["Recording of the life (.rec.json)", recording],
   ];
+  const page = () => {
+    const { text, name, scenario } = state();
+    download(`${stem(name)}.html`, "text/html", copy.with({ robot: text, name, scenario }));
+  };
+  if (copy) entries.push(["This page with this robot (.html)", page]);
   return menu("Download", entries);
 }

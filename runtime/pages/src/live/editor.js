@@ -84,8 +84,7 @@ export class Editor {
 
   // A number that is being slid to; one undo takes the whole slide back.
   replace(from, to, insert) {
-    const anchor = from + insert.length;
-    this.view.dispatch({ changes: { from, to, insert }, selection: { anchor: from, head: anchor }, annotations: Transaction.userEvent.of("input.slide") });
+    this.view.dispatch({ changes: { from, to, insert }, annotations: Transaction.userEvent.of("input.slide") });
   }
 
   format() {

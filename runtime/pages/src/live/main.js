@@ -5,6 +5,7 @@ import { readData } from "../common/data.js";
 import { element } from "../common/dom.js";
 import { Changes } from "./changes.js";
 import { Choices } from "./choices.js";
+import { PageCopy } from "./copy.js";
 import { openDoor } from "./door.js";
 import { downloadMenu } from "./downloads.js";
 import { Editor } from "./editor.js";
@@ -21,6 +22,7 @@ import { Workings } from "./workings.js";
 const typing = 80; // ms of rest after which a text is made into a robot
 
 const data = readData();
+const copy = new PageCopy(data);
 const door = openDoor(data);
 const robot = { name: data.name ?? "robot.pls", scenario: data.scenario || usual, genotype: "" };
 let last = null; // what lived last: {input, text, scenario, page, seasons, view}
@@ -51,11 +53,19 @@ function complain(text) {
   right.classList.toggle("stale", text !== "");
 }
 
+// Where the first error is, and what.
+function wordsOf({ error, diagnostics = [] }) {
+  const first = diagnostics.find((one) => one.severity === "error");
+  if (!first) return error;
+  const place = first.file === robot.name ? "Line" : "Scenario, line";
+  return `${place} ${first.line}: ${first.message}`;
+}
+
 const lives = new LifeView();
 const changes = new Changes();
 const workings = new Workings((ranges, hasMoved) => {
-  if (!editor || editor.text !== workings.robot.text) return;
-  editor.light(ranges);
+  if (!editor) return;
+  editor.light(editor.text === workings.robot.text ? ranges : []);
   const first = ranges.find((range) => range.name === "lit");
   if (first && hasMoved) editor.scrollTo(first.from);
 });
@@ -78,7 +88,7 @@ const choices = new Choices({
 
 const lab = new Lab(door, {
   onBusy: (isBusy) => right.setAttribute("aria-busy", String(isBusy)),
-  onWrong: ({ error }) => complain(error),
+  onWrong: (answer) => complain(wordsOf(answer)),
   onRobot: (page) => workings.show(page),
   onLife(life, page, input, milliseconds) {
     complain("");
@@ -171,7 +181,7 @@ document.body.append(
       panel("Scenario", scenario.object),
       element("button", { type: "button", onclick: () => editor.format(), title: "Shift-Alt-F" }, "Format"),
       element("button", { type: "button", onclick: share, title: "A link that holds this robot" }, "Link"),
-      downloadMenu(door, () => ({ ...robot, text: editor.text, view: last?.view }), warn),
+      downloadMenu(door, data.module ? copy : null, () => ({ ...robot, text: editor.text, view: last?.view }), warn),
     ),
     status,
     notice,

@@ -90,8 +90,8 @@ class Lane {
 
 export class ModuleDoor {
   // `packed`: base64 of the module's bytes in gzip; `glue`: the script that
-  // opens them.
-  constructor(packed, glue) {
+  // opens them (runtime/web/plsc.js).
+  constructor({ packed, glue }) {
     this.onRestart = () => {};
     const code = `${glue}\n(${serve})();`;
     this.parts = unpack(packed).then((wasm) => ({ code, wasm }));

@@ -31,8 +31,6 @@ export class Parameters {
     const { state } = this.editor.view;
     const { head } = state.selection.main;
     const line = state.doc.lineAt(head);
-    // Nothing asks without a digit in reach.
-    if (!/[\d.]/.test(line.text.slice(Math.max(0, head - line.from - 1), head - line.from + 1))) return this.#hide();
     const column = bytes(line.text.slice(0, head - line.from)) + 1;
     this.asking.add({ text: state.doc.toString(), at: { line: line.number, column } });
   }

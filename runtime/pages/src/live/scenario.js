@@ -30,6 +30,11 @@ export class ScenarioPanel {
     this.door = door;
     this.onChange = onChange;
     this.states = [];
+    this.engines = [];
+    door.ask({ ask: "about" }).then((answer) => {
+      this.engines = answer.engines ?? [];
+      if (this.printed) this.#show();
+    });
     this.seasons = element("div", { class: "seasons-table" });
     this.shared = element("div", { class: "shared" });
     this.text = element("textarea", { "aria-label": "The scenario as YAML", spellcheck: "false", rows: 10, oninput: () => this.checking.add(this.text.value) });
@@ -132,7 +137,14 @@ export class ScenarioPanel {
       },
     });
     const output = element("output", {}, text.physics("friction"));
-    this.shared.replaceChildren(element("label", {}, "Friction ", friction, " ", output));
+    this.shared.replaceChildren(element("label", {}, "Friction ", friction, " ", output), ...this.#engine(text.physics("engine")));
+  }
+
+  // Where there is one to choose: a page's own plsc has no ODE.
+  #engine(chosen) {
+    const names = [...new Set([...this.engines, ...(chosen ? [chosen] : [])])];
+    if (!chosen || names.length < 2) return [];
+    return [element("label", {}, "Engine ", select("Engine", names.map((one) => [one, one]), chosen, (name) => this.#change((text) => text.setPhysics("engine", name))))];
   }
 
   // As #change, without making the slider anew under the pointer.

@@ -12,15 +12,15 @@ export class Versions {
   // goTo(version) puts its text back.
   constructor(goTo) {
     this.goTo = goTo;
-    this.all = []; // {text, scenario, name, page, seasons, number}
+    this.all = []; // {text, scenario, seasons, number, item}
     this.count = 0;
     this.current = null;
     this.list = element("ol", { class: "versions", "aria-label": "Versions" });
     this.object = element("section", { class: "strip", "aria-label": "Earlier versions" }, element("h2", {}, "Versions"), this.list);
-    this.onSettled = () => {};
   }
 
-  // A version that lived; the strip has it when nothing newer comes soon.
+  // A version that lived, {text, scenario, page, seasons}; the strip has it when
+  // nothing newer comes soon. Of its recording and development nothing is kept.
   offer(version) {
     clearTimeout(this.timer);
     const known = this.find(version);
@@ -47,15 +47,14 @@ export class Versions {
     this.list.replaceChildren();
   }
 
-  #add(version) {
-    version.number = ++this.count;
-    version.item = this.#item(version);
+  #add({ text, scenario, page, seasons }) {
+    const version = { text, scenario, seasons, number: ++this.count };
+    version.item = this.#item(version, page);
     this.all.push(version);
     this.list.append(version.item);
     if (this.all.length > most) this.all.splice(1, 1)[0].item.remove();
     this.#mark(version);
     this.list.scrollLeft = this.list.scrollWidth;
-    this.onSettled(version);
   }
 
   #mark(version) {
@@ -64,8 +63,8 @@ export class Versions {
     version.item.firstChild.setAttribute("aria-current", "true");
   }
 
-  #item(version) {
-    const { page, seasons, number } = version;
+  #item(version, page) {
+    const { seasons, number } = version;
     const speeds = seasons.map((season) => `${season.name} ${speed(season)} cm/s`);
     return element(
       "li",

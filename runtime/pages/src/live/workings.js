@@ -123,12 +123,13 @@ export class Workings {
     return [...of(kin, "kin"), ...of(lit, "lit")];
   }
 
-  // The symbol of the text at this place lights up what it made; the text must
-  // be the one that this robot is of.
+  // The symbol of the text at this place lights up what it made, if the robot is
+  // of this text.
   pointAt(text, offset) {
-    if (!this.robot || text !== this.robot.text || this.highlight.kept) return;
+    if (!this.robot || this.highlight.kept) return;
     let found = null;
-    this.robot.rules.forEach((rule, r) =>
+    const rules = text === this.robot.text ? this.robot.rules : [];
+    rules.forEach((rule, r) =>
       rule.symbols.forEach((symbol, p) => {
         const [from, to] = symbol.span.map(this.units);
         if (from <= offset && offset <= to) found = `symbol:${r + 1}:${p + 1}`;

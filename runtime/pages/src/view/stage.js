@@ -57,7 +57,9 @@ export class Stage {
   setLives(lives, surfaces) {
     // The same for all, so that sizes can be compared.
     const distance = 2.8 * Math.max(...lives.map(radiusOf));
-    this.retired.push(...this.scenes);
+    // Those that were not drawn yet have nothing that is worth waiting for.
+    if (this.retired.length === 0) this.retired = this.scenes;
+    else for (const scene of this.scenes) scene.dispose();
     this.scenes = lives.map((life) => new LifeScene(life));
     if (surfaces.length === this.surfaces.length && surfaces.every((surface, i) => surface === this.surfaces[i])) {
       for (const camera of this.cameras) camera.setDistance(distance);

@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 #include <sstream>
 
+#include "compiler/named_environments.h"
 #include "tests/runtime/cli/run_plsc.h"
 #include "tests/runtime/cli/tiny_run.h"
 
@@ -28,10 +29,10 @@ TEST_CASE("a robot of a run has text, with the places of its rules",
   REQUIRE(robot->environments.size() == 2);
   CHECK(robot->environments[1].name == "hill");
   CHECK(robot->environments[1].environment == Environment{{1}});
-  CHECK(cli::SensesOf(robot->environments[1], mapped.program.genotype.states) ==
+  CHECK(SensesOf(robot->environments[1], mapped.program.genotype.states) ==
         "inclined=True");
-  CHECK(cli::SensesOf({"inclined=True", Environment{{1}}},
-                      mapped.program.genotype.states)
+  CHECK(SensesOf({"inclined=True", Environment{{1}}},
+                 mapped.program.genotype.states)
             .empty());
 }
 
