@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "grammar/number.h"
 
@@ -25,7 +26,8 @@ std::vector<double> RoundTicks(double low, double high, int count) {
 
 ChartScale ScaleOf(const std::vector<double>& values, double from, double to) {
   constexpr double kRoom = 0.05;  // of the range
-  ChartScale scale{INFINITY, -INFINITY, from, to};
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  ChartScale scale{kInfinity, -kInfinity, from, to};
   for (const double value : values)
     if (std::isfinite(value)) {
       scale.low = std::min(scale.low, value);
