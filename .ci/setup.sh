@@ -6,7 +6,7 @@
 # of docs/testing-robots.md install these.
 PLSC_BUILD_PACKAGES="g++ cmake ninja-build pkg-config tao-pegtl-dev libfmt-dev \
 libeigen3-dev libode-dev libyaml-cpp-dev libcli11-dev nlohmann-json3-dev \
-librandom123-dev libsqlite3-dev libxxhash-dev"
+librandom123-dev libsqlite3-dev libxxhash-dev libboost-dev"
 # And what all of it and its tests need.
 PLSC_PACKAGES="$PLSC_BUILD_PACKAGES gzip catch2 libopenmpi-dev openmpi-bin \
 librsvg2-dev libcairo2-dev librsvg2-2 fonts-dejavu-core python3"

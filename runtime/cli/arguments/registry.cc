@@ -5,6 +5,7 @@
 #include "runtime/cli/arguments/exports.h"
 #include "runtime/cli/arguments/genotypes.h"
 #include "runtime/cli/arguments/git.h"
+#include "runtime/cli/arguments/live.h"
 #include "runtime/cli/arguments/pictures.h"
 #include "runtime/cli/arguments/relive.h"
 #include "runtime/cli/arguments/report.h"
@@ -30,7 +31,7 @@ const Registry& Commands() {
   static const Registry all = RegistryOf<
       CheckCommand, ExplainCommand, ExportCommand, FixCommand, FmtCommand,
       DevelopCommand, DiffCommand, DrawCommand, LintCommand, MergeCommand,
-      LspCommand, RegulateCommand, SimulateCommand, EvaluateCommand,
+      LiveCommand, LspCommand, RegulateCommand, SimulateCommand, EvaluateCommand,
       EvolveCommand, ShowCommand, ReplayCommand, ReliveCommand,
       StudyListCommand, StudyRunCommand, StudyStatusCommand, StudyDigestCommand,
       ViewCommand, ReportCommand, WhyCommand, TestCommand, RandomCommand,

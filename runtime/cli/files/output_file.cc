@@ -12,8 +12,11 @@
 #include <algorithm>
 #include <cerrno>
 #include <climits>
+#include <cstdio>
 #include <cstdlib>
+#include <fstream>
 #include <ostream>
+#include <sstream>
 #include <utility>
 
 #include "grammar/shown_line.h"
@@ -51,6 +54,16 @@ std::string NeighbourOf(const std::string& target) {
   return fmt::format("{}.{}.new",
                      target.substr(0, begin + std::min(length, kMostKept)),
                      ::getpid());
+}
+
+/// Nothing if it cannot be read.
+std::optional<std::string> ContentOf(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) return std::nullopt;
+  std::ostringstream text;
+  text << file.rdbuf();
+  if (file.bad()) return std::nullopt;
+  return std::move(text).str();
 }
 
 }  // namespace
@@ -106,14 +119,55 @@ std::optional<std::string> OutputFile::Write(std::string_view text) {
   return reason();
 }
 
-std::optional<std::string> OutputFile::Finish() {
+bool OutputFile::IsOnDisk() {
   Flush();
-  if (neighbour_.empty()) return reason();
-  if (error_ == 0 && ::fsync(descriptor_) != 0) error_ = errno;
-  if (error_ == 0 && ::rename(neighbour_.c_str(), path_.c_str()) != 0)
+  if (!neighbour_.empty() && error_ == 0 && ::fsync(descriptor_) != 0)
     error_ = errno;
-  if (error_ == 0) neighbour_.clear();
+  return error_ == 0;
+}
+
+std::optional<std::string> OutputFile::Finish() {
+  if (!IsOnDisk() || neighbour_.empty()) return reason();
+  if (::rename(neighbour_.c_str(), path_.c_str()) != 0)
+    error_ = errno;
+  else
+    neighbour_.clear();
   return reason();
+}
+
+// The two files change names in one step, so that what was there can be looked
+// at after it can no longer change its place: were it another's, it goes back.
+Expected<bool, std::string> OutputFile::FinishOver(
+    const std::string* previous) {
+  if (!IsOnDisk()) return *reason();
+  if (neighbour_.empty()) return std::string("it is no regular file");
+  const auto rename = [this](unsigned how) {
+    return ::renameat2(AT_FDCWD, neighbour_.c_str(), AT_FDCWD, path_.c_str(),
+                       how) == 0;
+  };
+  const unsigned how = previous == nullptr ? RENAME_NOREPLACE : RENAME_EXCHANGE;
+  bool is_renamed = rename(how);
+  if (!is_renamed && (errno == EINVAL || errno == ENOSYS)) {
+    // A file system that cannot: what is there is looked at before.
+    const auto found = ContentOf(path_);
+    if (previous == nullptr ? found.has_value() : found != *previous)
+      return false;
+    is_renamed = rename(0);
+    if (is_renamed) neighbour_.clear();
+  } else if (is_renamed && previous == nullptr) {
+    neighbour_.clear();
+  } else if (is_renamed && ContentOf(neighbour_) != *previous) {
+    // Back to how it was: what goes with the neighbour is ours.
+    rename(RENAME_EXCHANGE);
+    return false;
+  } else if (!is_renamed && (errno == EEXIST || errno == ENOENT)) {
+    return false;
+  }
+  if (!is_renamed) {
+    error_ = errno;
+    return *reason();
+  }
+  return true;
 }
 
 std::optional<std::string> OutputFile::reason() const {

@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 
+#include "grammar/expected.h"
 #include "runtime/cli/files/io.h"
 #include "runtime/cli/files/pipe_errors.h"
 
@@ -30,6 +31,10 @@ class OutputFile {
   /// These return the system's reason when it fails, the first that there was.
   std::optional<std::string> Write(std::string_view text);
   std::optional<std::string> Finish();
+  /// As Finish, but only over a file of these bytes, or where there is none
+  /// (null). False: something else is there, and stays. Nobody who puts another
+  /// file there meanwhile loses it.
+  Expected<bool, std::string> FinishOver(const std::string* previous);
 
   /// The file's own, behind symbolic links.
   const std::string& path() const { return path_; }
@@ -37,6 +42,8 @@ class OutputFile {
  private:
   bool Open();
   void Flush();
+  /// All that was written is on the disk.
+  bool IsOnDisk();
   std::optional<std::string> reason() const;
 
   PipeErrors are_errors_;
