@@ -41,7 +41,8 @@ class GenerationEvaluator {
  public:
   /// Of own lives (`plan`) caches are neither asked nor told.
   GenerationEvaluator(const LifePlanner& planner, Workers& workers,
-                      std::vector<SimulationCache*> caches, const TrialPlan& plan = {})
+                      std::vector<SimulationCache*> caches,
+                      const TrialPlan& plan = {})
       : planner_(planner),
         workers_(workers),
         caches_(std::move(caches)),

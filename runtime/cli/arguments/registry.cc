@@ -31,8 +31,8 @@ const Registry& Commands() {
   static const Registry all = RegistryOf<
       CheckCommand, ExplainCommand, ExportCommand, FixCommand, FmtCommand,
       DevelopCommand, DiffCommand, DrawCommand, LintCommand, MergeCommand,
-      LiveCommand, LspCommand, RegulateCommand, SimulateCommand, EvaluateCommand,
-      EvolveCommand, ShowCommand, ReplayCommand, ReliveCommand,
+      LiveCommand, LspCommand, RegulateCommand, SimulateCommand,
+      EvaluateCommand, EvolveCommand, ShowCommand, ReplayCommand, ReliveCommand,
       StudyListCommand, StudyRunCommand, StudyStatusCommand, StudyDigestCommand,
       ViewCommand, ReportCommand, WhyCommand, TestCommand, RandomCommand,
       ImportCommand, MutateCommand, CrossCommand, TrimCommand, StatsCommand,
