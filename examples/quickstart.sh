@@ -48,3 +48,4 @@ run replay "$output/walkers.sqlite" best
 run view "$output/walkers.sqlite" best -o "$output/walkers.html" ||
   say "no page: plsc was built without npm"
 say "done: pictures and the run are in $output"
+say "to write a robot and watch it walk: $plsc live $robot --open"

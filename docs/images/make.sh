@@ -25,5 +25,8 @@ run=$work/study/plastic/1.sqlite
   -o "$work/replay.html"
 "$plsc" view --explain examples/climber.pls -o "$work/explain.html"
 
+# A server, which ends by itself when its page has been closed.
+"$plsc" live examples/climber.pls --idle 20 >"$work/live.address" &
+
 PLSC_NODE_MODULES=build/release/tests/pages/npm/node_modules \
   node docs/images/screenshots.mjs "$work" "$images"

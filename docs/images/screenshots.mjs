@@ -1,4 +1,5 @@
 // Pictures of the pages in a folder: node screenshots.mjs PAGES IMAGES
+import { readFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { join, resolve } from "node:path";
 import { pathToFileURL } from "node:url";
@@ -12,6 +13,14 @@ const browser = await chromium.launch({
 
 // name: what to do on the page before it is taken, and of which size
 const shots = {
+  live: {
+    size: { width: 1280, height: 800 },
+    url: () => readFileSync(join(pages, "live.address"), "utf8").trim(),
+    prepare: async (page) => {
+      await page.locator(".version").first().waitFor();
+      await page.waitForTimeout(6000); // they have walked a little
+    },
+  },
   report: { size: { width: 1280, height: 860 } },
   replay: {
     size: { width: 1100, height: 760 },
@@ -24,9 +33,9 @@ const shots = {
   },
 };
 
-for (const [name, { size, at, prepare }] of Object.entries(shots)) {
+for (const [name, { size, at, url, prepare }] of Object.entries(shots)) {
   const page = await browser.newPage({ viewport: size });
-  await page.goto(pathToFileURL(join(resolve(pages), `${name}.html`)).href + (at ?? ""));
+  await page.goto(url ? url() : pathToFileURL(join(resolve(pages), `${name}.html`)).href + (at ?? ""));
   await page.waitForTimeout(500);
   await prepare?.(page);
   await page.screenshot({ path: join(images, `${name}.png`) });

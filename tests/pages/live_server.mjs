@@ -5,7 +5,7 @@ import { spawn } from "node:child_process";
 import { createServer } from "node:http";
 import { createInterface } from "node:readline";
 
-const token = "the-token";
+const root = "/the-token/";
 
 // A child that answers line by line, in order.
 function startDoor([program, ...args]) {
@@ -38,14 +38,13 @@ export async function startServer(door, data, pageOf) {
   const asked = [];
   const listeners = new Set();
   const file = { text: data.robot, version: 1 };
-  const served = { ...data, server: { token, ...(data.isJoined ? { file: file.version } : {}) } };
+  const served = { ...data, server: data.isJoined ? { file: file.version } : {} };
 
   async function answer(request, response) {
     const body = await bodyOf(request);
-    if (request.headers["x-plsc-token"] !== token) return response.writeHead(403).end("no token");
     response.setHeader("Content-Type", "application/json");
     const wanted = JSON.parse(body);
-    if (request.url === "/ask") {
+    if (request.url === `${root}ask`) {
       asked.push(wanted);
       return response.end(await answers.ask(body));
     }
@@ -56,8 +55,9 @@ export async function startServer(door, data, pageOf) {
   }
 
   const server = createServer((request, response) => {
+    if (!request.url.startsWith(root)) return response.writeHead(403).end("no token");
     if (request.method === "POST") return void answer(request, response);
-    if (request.url.startsWith("/events")) {
+    if (request.url.startsWith(`${root}events`)) {
       response.writeHead(200, { "Content-Type": "text/event-stream" }).write(":\n\n");
       listeners.add(response);
       request.on("close", () => listeners.delete(response));
@@ -67,7 +67,7 @@ export async function startServer(door, data, pageOf) {
   });
   await new Promise((resolve) => server.listen(0, "127.0.0.1", resolve));
   return {
-    url: `http://127.0.0.1:${server.address().port}/`,
+    url: `http://127.0.0.1:${server.address().port}${root}`,
     asked,
     file,
     // As when another program writes the file.

@@ -1,5 +1,6 @@
 #include "runtime/cli/arguments/live.h"
 
+#include "runtime/cli/arguments/common_options.h"
 #include "runtime/cli/arguments/options.h"
 
 namespace plsc::cli {
@@ -27,11 +28,9 @@ void Add(Options& options, LiveCommand& command) {
            "address to listen at, as a number (default: 127.0.0.1, which only "
            "this machine can reach)")
       .ValueName("ADDRESS");
-  options
-      .Add("--jobs", command.jobs,
-           "processes that live robots at once (default: 2)")
-      .Range(1, 64)
-      .ValueName("N");
+  AddJobs(options, command.jobs,
+          "processes that live robots (0 and default: one a core that may be "
+          "used)");
   options
       .Add("--idle", command.idle,
            "ends when no page has been open for so long (default: at Ctrl-C)")

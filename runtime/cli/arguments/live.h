@@ -16,7 +16,7 @@ struct LiveCommand {
   std::string scenario;  ///< of a genotype file; empty: the paper's
   int port = 0;          ///< 0: one that is free
   std::string host = "127.0.0.1";
-  int jobs = 2;  ///< processes that live robots
+  std::optional<int> jobs;  ///< processes that live robots; 0: one a core
   /// s without a page that is open after which it ends; nothing: never.
   std::optional<double> idle;
   bool open = false;  ///< in the browser, too

@@ -36,6 +36,12 @@ void Add(Options& options, ViewCommand& command) {
                              .Excludes(scenario)
                              .Excludes(engine);
   options
+      .Flag("--editable", command.editable,
+            "instead of a replay, the page of plsc live as one file, with plsc "
+            "in it: of one genotype file")
+      .Excludes(explain)
+      .Excludes(engine);
+  options
       .Add("--env", command.environments,
            "with --explain: what the robot senses, STATE=VALUE,... or "
            "the name of an environment of the file, of a season of the "
@@ -58,6 +64,7 @@ void Add(Options& options, ViewCommand& command) {
       "  plsc view examples/gecko.pls --scenario examples/life.yaml -o "
       "life.html\n"
       "  plsc view run1.sqlite best 17 -o run1.html\n"
+      "  plsc view --editable examples/climber.pls -o climber.html\n"
       "  plsc view --explain examples/climber.pls --env flat --env tilted -o "
       "climber.html\n"
       "  plsc view --explain run1.sqlite best -o best.html");

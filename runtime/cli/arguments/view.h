@@ -20,7 +20,8 @@ struct ViewCommand {
   bool force = false;                ///< as Output::force
   std::string scenario;              ///< of genotypes; empty: the paper's
   std::optional<EngineKind> engine;  ///< of all seasons; nothing: as written
-  bool explain = false;  ///< the page of development instead, of genotypes
+  bool editable = false;  ///< the page of `plsc live` as a file, of a genotype
+  bool explain = false;   ///< the page of development instead, of genotypes
   std::vector<std::string> environments;  ///< of `explain`, as DevelopCommand's
   bool allow_range = false;
 };

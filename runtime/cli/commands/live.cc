@@ -15,6 +15,7 @@
 #include "runtime/pages/page.h"
 #include "runtime/service/service.h"
 #include "runtime/text/version.h"
+#include "runtime/workers/worker_count.h"
 
 namespace plsc::cli {
 
@@ -64,7 +65,7 @@ Exit Run(const LiveCommand& command, Io& io) {
   LiveOptions options;
   options.host = command.host;
   options.port = command.port;
-  options.asker.lives = command.jobs;
+  options.asker.lives = WorkerCount(command.jobs.value_or(0));
   const InterruptHandler handler;
   const auto live =
       LiveServer::Begin(options, std::move(*subject), MakeWork,

@@ -4,6 +4,7 @@
 
 #include "grammar/shown_line.h"
 #include "runtime/cli/arguments/view.h"
+#include "runtime/cli/commands/view_editable.h"
 #include "runtime/cli/commands/view_explain.h"
 #include "runtime/cli/commands/view_lives.h"
 #include "runtime/cli/files/output_path.h"
@@ -28,6 +29,7 @@ std::string TitleOf(const std::vector<ViewedLife>& lives) {
 
 Exit Run(const ViewCommand& command, Io& io) {
   if (command.explain) return Explain(command, io);
+  if (command.editable) return MakeEditable(command, io);
   if (!HasPages()) {
     io.err << "error: this plsc was built without npm, and has no pages\n";
     return Exit::kBadInput;

@@ -68,7 +68,6 @@ bool Asker::Desk::Step(int& tickets) {
     if (reply.answer) {
       response.body = std::move(*reply.answer);
     } else {
-      response.status = 500;
       response.body = DumpJson(Json{
           {"ok", false},
           {"error", fmt::format("it could not be computed: {}", reply.death)}});

@@ -44,7 +44,7 @@ class FileSubject : public Subject {
     json["robot"] = file_.state().text.value_or("");
     json["name"] = Title();
     json["scenario"] = scenario_ ? scenario_->state().text.value_or("") : "";
-    json["server"] = {{"version", file_.state().version}};
+    json["server"] = {{"file", file_.state().version}};
     json["follow"] = "file";
     return DumpJson(json);
   }
@@ -94,7 +94,6 @@ class FileSubject : public Subject {
       response.status = 500;
       json["error"] = saved.failure->text;
     } else if (saved.is_conflict) {
-      response.status = 409;
       json["error"] = "the file was changed by another program meanwhile";
       json["conflict"] = StateJson(file_.state());
     } else {

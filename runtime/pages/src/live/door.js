@@ -12,7 +12,7 @@ const nobody = {
 };
 
 export function openDoor(data) {
-  if (data.server) return new ServerDoor(data.server);
+  if (data.server) return new ServerDoor();
   if (data.module) return new ModuleDoor(data.module);
   return nobody;
 }

@@ -49,6 +49,11 @@ export class Follow {
 
   #changed(file) {
     if (file.version === this.known.version) return;
+    if (file.text === null) {
+      // What is written here from now on makes it again.
+      this.known = { text: this.known.text, version: file.version };
+      return this.say(`the file is gone: ${file.reason}`, true);
+    }
     if (file.text === this.editor.text) {
       this.known = file;
       return this.#close();
@@ -76,7 +81,9 @@ export class Follow {
       element(
         "div",
         { class: "both" },
-        text("In the file", file.text, "Take this one", () => this.#take(file)),
+        file.text === null
+          ? element("p", {}, `The file cannot be read: ${file.reason}`)
+          : text("In the file", file.text, "Take this one", () => this.#take(file)),
         text("Here", this.editor.text, "Keep this one", () => this.#keep(file)),
       ),
     );

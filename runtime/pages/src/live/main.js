@@ -15,6 +15,7 @@ import { LifeView } from "./lives.js";
 import { menu, panel } from "./menu.js";
 import { Parameters } from "./parameters.js";
 import { ScenarioPanel, usual } from "./scenario.js";
+import { RunPanel } from "./run.js";
 import { linkOf, robotOfLink } from "./share.js";
 import { Versions } from "./versions.js";
 import { Workings } from "./workings.js";
@@ -193,6 +194,17 @@ if (data.server?.file !== undefined) {
   follow = new Follow(door, editor, data.server.file, { say, setText: (text) => editor.setText(text) });
   document.body.append(follow.object);
 }
+// A robot of a run takes the place of the one before, which is what it is
+// compared with.
+function change({ name, text, scenario: yaml }) {
+  Object.assign(robot, { name, genotype: "" });
+  title.textContent = name;
+  document.title = name;
+  if (yaml !== robot.scenario) setScenario(yaml);
+  editor.setText(text);
+}
+const isOfRuns = data.follow === "run" || data.follow === "study";
+if (isOfRuns) right.prepend(new RunPanel(data.follow, { show: change, say }).object);
 addEventListener("hashchange", openLink);
 scenario.set(robot.scenario);
-openLink().then((isLinked) => isLinked || make(0));
+openLink().then((isLinked) => isLinked || isOfRuns || make(0));

@@ -1,9 +1,9 @@
 // The door to `plsc live`: POST /ask, POST /save and events of the file.
 
 export class ServerDoor {
-  // {token}: without it the server answers nobody.
-  constructor({ token }) {
-    this.token = token;
+  // Addresses are relative to the page's, whose path has the token without
+  // which the server answers nobody.
+  constructor() {
     this.ids = 0;
     this.onRestart = () => {};
     this.going = new AbortController();
@@ -13,7 +13,7 @@ export class ServerDoor {
     try {
       const response = await fetch(path, {
         method: "POST",
-        headers: { "Content-Type": "application/json", "X-Plsc-Token": this.token },
+        headers: { "Content-Type": "application/json" },
         body: JSON.stringify(body),
         signal,
       });
@@ -47,7 +47,7 @@ export class ServerDoor {
 
   // onFile({text, version}) when another program changed the file.
   follow(onFile, onConnection) {
-    const events = new EventSource(`events?token=${encodeURIComponent(this.token)}`);
+    const events = new EventSource("events");
     events.addEventListener("file", (event) => onFile(JSON.parse(event.data)));
     events.addEventListener("open", () => onConnection(true));
     events.addEventListener("error", () => onConnection(false));

@@ -5,6 +5,7 @@
 
 #include "runtime/cli/arguments/command_description.h"
 #include "runtime/cli/arguments/evaluate.h"
+#include "runtime/cli/arguments/live.h"
 #include "runtime/cli/arguments/relive.h"
 #include "runtime/cli/arguments/robots.h"
 #include "runtime/cli/arguments/runs.h"
@@ -113,6 +114,7 @@ TEST_CASE("every command with --jobs takes 0", "[arguments]") {
       {"replay", {{"replay", "x"}, JobsOf<cli::ReplayCommand>}},
       {"relive", {{"relive", "x"}, JobsOf<cli::ReliveCommand>}},
       {"evaluate", {{"evaluate", "--stdin"}, JobsOf<cli::EvaluateCommand>}},
+      {"live", {{"live", "x"}, JobsOf<cli::LiveCommand>}},
       {"test", {{"test", "a"}, JobsOf<cli::TestCommand>}},
       {"study run",
        {{"study", "run", "s.yaml", "-o", "x"}, JobsOf<cli::StudyRunCommand>}},
