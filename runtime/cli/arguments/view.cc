@@ -5,6 +5,28 @@
 
 namespace plsc::cli {
 
+namespace {
+
+constexpr const char* kFooter =
+
+    "Writes one HTML file that opens from disk in any browser, without "
+    "network: all\nlives side by side on one clock, to play, scrub and turn "
+    "by mouse, touch or keys;\nseasons on the time line, what changed "
+    "between them, joint angles and touch as\nplots. Robots of runs live the "
+    "stored scenario again, as plsc replay does; it warns\nwhere that comes "
+    "out otherwise.\n\n"
+    "  plsc view examples/gecko.pls -o gecko.html\n"
+    "  plsc view gecko.rec.json snake.rec.json -o both.html\n"
+    "  plsc view examples/gecko.pls --scenario examples/life.yaml -o "
+    "life.html\n"
+    "  plsc view run1.sqlite best 17 -o run1.html\n"
+    "  plsc view --editable examples/climber.pls -o climber.html\n"
+    "  plsc view --explain examples/climber.pls --env flat --env tilted -o "
+    "climber.html\n"
+    "  plsc view --explain run1.sqlite best -o best.html";
+
+}  // namespace
+
 void Add(Options& options, ViewCommand& command) {
   options.Command("view", "Replay lives in 3-D, as a page for a browser");
   options
@@ -52,22 +74,7 @@ void Add(Options& options, ViewCommand& command) {
       .Flag("--allow-range", command.allow_range,
             "with --explain: arguments outside their range are warnings")
       .Needs(explain);
-  options.Footer(
-      "Writes one HTML file that opens from disk in any browser, without "
-      "network: all\nlives side by side on one clock, to play, scrub and turn "
-      "by mouse, touch or keys;\nseasons on the time line, what changed "
-      "between them, joint angles and touch as\nplots. Robots of runs live the "
-      "stored scenario again, as plsc replay does; it warns\nwhere that comes "
-      "out otherwise.\n\n"
-      "  plsc view examples/gecko.pls -o gecko.html\n"
-      "  plsc view gecko.rec.json snake.rec.json -o both.html\n"
-      "  plsc view examples/gecko.pls --scenario examples/life.yaml -o "
-      "life.html\n"
-      "  plsc view run1.sqlite best 17 -o run1.html\n"
-      "  plsc view --editable examples/climber.pls -o climber.html\n"
-      "  plsc view --explain examples/climber.pls --env flat --env tilted -o "
-      "climber.html\n"
-      "  plsc view --explain run1.sqlite best -o best.html");
+  options.Footer(kFooter);
 }
 
 }  // namespace plsc::cli
