@@ -3,9 +3,6 @@ import { element } from "../common/dom.js";
 import { Newest } from "./newest.js";
 import { unitsOf } from "./language/places.js";
 
-const encoder = new TextEncoder();
-const bytes = (text) => encoder.encode(text).length;
-
 // As few digits as the step asks for.
 function written(value, step) {
   const digits = Math.max(0, Math.min(6, Math.ceil(-Math.log10(step))));
@@ -31,7 +28,7 @@ export class Parameters {
     const { state } = this.editor.view;
     const { head } = state.selection.main;
     const line = state.doc.lineAt(head);
-    const column = bytes(line.text.slice(0, head - line.from)) + 1;
+    const column = [...line.text.slice(0, head - line.from)].length + 1; // characters, not units
     this.asking.add({ text: state.doc.toString(), at: { line: line.number, column } });
   }
 
