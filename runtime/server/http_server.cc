@@ -260,7 +260,8 @@ class Session : public std::enable_shared_from_this<Session> {
 class BeastServer : public HttpServer {
  public:
   explicit BeastServer(const Limits& limits) { shared_.limits = limits; }
-  // What is polled here finds that its connection has ended, and throws nothing.
+  // What is polled here finds that its connection has ended, and throws
+  // nothing.
   ~BeastServer() override {  // NOLINT(bugprone-exception-escape)
     for (const auto& session : shared_.sessions) session->Close();
     error_code ignored;
