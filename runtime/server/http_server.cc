@@ -367,6 +367,12 @@ class BeastServer : public HttpServer {
 
 Expected<std::unique_ptr<HttpServer>, Failure> HttpServer::Listen(
     const std::string& address, int port, const Limits& limits) {
+  error_code no_address;
+  asio::ip::make_address(address, no_address);
+  if (no_address)
+    return Failure("'" + address +
+                   "' is no address to listen at: these are numbers, as "
+                   "127.0.0.1 or ::1");
   auto server = std::make_unique<BeastServer>(limits);
   if (const error_code error = server->Bind(address, port))
     return Failure("cannot listen at port " + std::to_string(port) + " of " +

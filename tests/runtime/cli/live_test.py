@@ -241,8 +241,8 @@ class LiveTest(unittest.TestCase):
 
         self.assertIn("none.pls", refused(self.folder.name + "/none.pls"))
         self.assertIn("study", refused(self.folder.name))
-        self.assertIn("--host", refused(str(self.path), "--host", "example.org")
-                      + "--host")
+        self.assertIn("'example.org' is no address",
+                      refused(str(self.path), "--host", "example.org"))
         self.assertIn("none.yaml", refused(str(self.path), "--scenario",
                                            self.folder.name + "/none.yaml"))
         with Live(str(self.path)) as live:
