@@ -85,7 +85,7 @@ class FormulaPrinter {
   }
 
  private:
-  static std::string Within(std::string text, Level own, Level least) {
+  static std::string Within(const std::string& text, Level own, Level least) {
     return own < least ? "(" + text + ")" : text;
   }
 

@@ -44,6 +44,7 @@ std::string FitnessText(const std::optional<double>& fitness, bool is_own) {
 std::string FitnessesText(const std::vector<std::optional<double>>& fitnesses,
                           bool is_own) {
   std::vector<std::string> texts;
+  texts.reserve(fitnesses.size() + 1);
   for (const std::optional<double>& fitness : fitnesses)
     texts.push_back(FitnessText(fitness, is_own));
   if (!is_own && std::any_of(fitnesses.begin(), fitnesses.end(), IsSpeed))

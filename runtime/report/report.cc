@@ -134,9 +134,10 @@ bool HasOwnFitness(const ReportInput& input) {
 
 void TakeOwnFitness(const ReportInputs& inputs,
                     std::vector<ReportMeasure>& measures) {
-  const bool is_asked = std::any_of(
-      measures.begin(), measures.end(),
-      [](const ReportMeasure& measure) { return measure.id == "fitness"; });
+  const bool is_asked = std::any_of(measures.begin(), measures.end(),
+                                    [](const ReportMeasure& measure) {
+                                      return measure.id == kFitnessMeasure;
+                                    });
   if (is_asked &&
       std::any_of(inputs.runs.begin(), inputs.runs.end(),
                   [](const ReportInput& one) { return HasOwnFitness(one); }))

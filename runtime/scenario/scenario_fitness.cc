@@ -128,6 +128,7 @@ void ReadTargets(YamlMap& map, Scenario& scenario) {
 
 std::string PrintTargets(const std::vector<Target>& targets) {
   std::vector<std::string> items;
+  items.reserve(targets.size());
   for (const Target& target : targets)
     items.push_back(fmt::format("{{x: {}, y: {}}}",
                                 PrintQuantity(target.x, Dimension::kLength),

@@ -15,8 +15,6 @@ namespace {
 
 using Measures = std::vector<ReportMeasure>;
 
-constexpr const char* kFitness = "fitness";
-
 // Speeds are m/s in stores and cm/s in the paper.
 
 bool Has(const Measures& measures, const std::string& id) {
@@ -99,8 +97,8 @@ Measures PaperMeasures() {
 
 Measures AllMeasures() {
   Measures all = PaperMeasures();
-  all.push_back(
-      {kFitness, "Fitness", "cm/s", kCentimetres, MeasureSource::kEvaluation});
+  all.push_back({kFitnessMeasure, "Fitness", "cm/s", kCentimetres,
+                 MeasureSource::kEvaluation});
   AddOthers(BehaviourColumns(), MeasureSource::kBehaviour, all);
   AddOthers(BodyColumns(), MeasureSource::kBody, all);
   AddOthers(BrainColumns(), MeasureSource::kBrain, all);
@@ -128,7 +126,7 @@ Expected<Measures, Failure> ChooseMeasures(std::string_view text) {
 
 void UseOwnFitness(Measures& measures) {
   for (ReportMeasure& measure : measures)
-    if (measure.id == kFitness) {
+    if (measure.id == kFitnessMeasure) {
       measure.unit.clear();
       measure.scale = 1;
     }
