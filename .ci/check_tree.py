@@ -22,23 +22,24 @@ ARROWS = {
     "sim/ode": "sim",
     "sim/articulated": "sim sim/maths",
     "runtime/text": "compiler/changes grammar",
+    "runtime/formula": "runtime/text grammar sim/maths",
     "runtime/workers": "",
     "runtime/server": "grammar",
     "runtime/authors": "compiler grammar",
     "runtime/develop": "runtime/text compiler grammar sim sim/maths",
-    "runtime/scenario": "runtime/text compiler grammar sim",
-    "runtime/life": "runtime/develop runtime/scenario runtime/text compiler grammar sim",
+    "runtime/scenario": "runtime/formula runtime/text compiler grammar sim",
+    "runtime/life": "runtime/develop runtime/scenario runtime/formula runtime/text compiler grammar sim",
     "runtime/compare": "runtime/develop runtime/text compiler compiler/changes grammar sim",
     "runtime/recording": "runtime/life runtime/scenario runtime/text grammar sim",
     "runtime/advice": "runtime/compare runtime/develop runtime/text compiler grammar sim",
     "runtime/vary": "compiler grammar sim/maths",
-    "runtime/evolve": "runtime/vary runtime/life runtime/scenario runtime/develop runtime/workers runtime/text compiler grammar sim",
+    "runtime/evolve": "runtime/vary runtime/life runtime/scenario runtime/develop runtime/workers runtime/formula runtime/text compiler grammar sim",
     "runtime/pictures": "runtime/recording runtime/compare runtime/develop runtime/text compiler grammar sim",
     "runtime/exports": "runtime/recording runtime/life runtime/scenario runtime/text grammar sim sim/maths",
     "runtime/store": "runtime/evolve runtime/vary runtime/life runtime/scenario runtime/develop runtime/text compiler grammar sim",
     "runtime/relive": "runtime/store runtime/evolve runtime/vary runtime/life runtime/scenario runtime/develop runtime/text compiler grammar sim",
     "runtime/history": "runtime/pictures runtime/compare runtime/develop runtime/text compiler grammar sim",
-    "runtime/study": "runtime/store runtime/evolve runtime/text grammar",
+    "runtime/study": "runtime/store runtime/evolve runtime/formula runtime/text grammar",
     "runtime/report": "runtime/study runtime/relive runtime/store runtime/evolve runtime/vary runtime/pictures runtime/life runtime/scenario runtime/develop runtime/text compiler grammar sim",
     "runtime/lsp": "runtime/advice runtime/text compiler grammar",
     "runtime/service": "runtime/lsp runtime/history runtime/pictures runtime/recording runtime/advice runtime/compare runtime/life runtime/scenario runtime/develop runtime/text compiler/changes compiler grammar sim",
@@ -74,7 +75,7 @@ NUMBER_READERS = re.compile(r"\b(strto(d|f|ld|l|ll|ul|ull)|sto(d|f|ld|i|l|ll|ul|
 # The rooms that build alone (preset core): as a page's module, too, which has
 # no threads, files, clocks or processes.
 CORE = """grammar compiler compiler/changes sim/maths sim sim/ode
-sim/articulated runtime/text runtime/authors
+sim/articulated runtime/text runtime/formula runtime/authors
 runtime/develop runtime/scenario runtime/life runtime/compare runtime/recording
 runtime/advice runtime/vary runtime/pictures runtime/history
 runtime/lsp runtime/service runtime/web""".split()

@@ -107,6 +107,13 @@ constexpr CodeInfo kCodes[] = {
     {Code::kUnknownWord, "P5107",
      "a word of YAML or JSON that is none of those expected, or no name"},
     {Code::kMisfit, "P5108", "values of YAML or JSON that do not fit together"},
+    {Code::kFormulaSyntax, "P5110", "a formula that is not written as one"},
+    {Code::kUnknownQuantity, "P5111",
+     "a name in a formula that is no quantity and no function"},
+    {Code::kFormulaType, "P5112",
+     "a part of a formula of the wrong type, or too many or few of them"},
+    {Code::kNoNumber, "P5113",
+     "a part of a formula that can be no number, as a division by 0"},
     {Code::kNotAuthors, "P5200",
      "a genotype of the authors' program that cannot be read, or cannot be "
      "written as one"},

@@ -80,6 +80,10 @@ enum class Code : std::uint8_t {
   kMissingKey,              ///< P5106
   kUnknownWord,             ///< P5107
   kMisfit,                  ///< P5108
+  kFormulaSyntax,           ///< P5110
+  kUnknownQuantity,         ///< P5111
+  kFormulaType,             ///< P5112
+  kNoNumber,                ///< P5113
   kNotAuthors,              ///< P5200
   kWrongAllow,              ///< W1001
   kUnsensedState,           ///< W2005

@@ -65,6 +65,8 @@ class Engine {
   /// rad/s, by joint: at which the latest step left them turning. One call for
   /// all, as it is asked after every step.
   virtual void TellJointSpeeds(std::vector<double>& speeds) const = 0;
+  /// N m, by joint: with which the servos turned them in the latest step.
+  virtual void TellJointTorques(std::vector<double>& torques) const = 0;
   virtual LinkPose PoseOf(int link) const = 0;
   virtual LinkMotion MotionOf(int link) const = 0;
   /// Of where all links are and how they move, bit for bit.

@@ -19,9 +19,11 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "sim/maths/arc.h"
+#include "sim/maths/hypot.h"
 #include "sim/maths/sine.h"
 #include "sim/trajectory.h"
 
@@ -90,12 +92,44 @@ double Turns(const Eigen::Matrix3Xd& orientation) {
   return sum.norm() / (2 * std::numbers::pi);
 }
 
-// m: a robot that falls over where it stands turns by a quarter on no path.
+// m: a robot that falls over where it stands turns by a quarter on no path, and
+// spends what it has on no way.
 constexpr double kLeastPath = 0.1;
+
+/// Changes of the yaw, each the short way.
+double Turning(const Eigen::Matrix3Xd& orientation) {
+  double sum = 0;
+  for (Eigen::Index i = 1; i < orientation.cols(); ++i) {
+    const double change =
+        std::abs(orientation(2, i) - orientation(2, i - 1));  // below 2 pi
+    sum += std::min(change, 2 * std::numbers::pi - change);
+  }
+  return sum;
+}
+
+double TargetDistance(const Eigen::Vector3d& place,
+                      const std::vector<Target>& targets) {
+  if (targets.empty()) return std::numeric_limits<double>::quiet_NaN();
+  double least = std::numeric_limits<double>::infinity();
+  for (const Target& target : targets)
+    least = std::min(least, Hypot(target.x - place.x(), target.y - place.y()));
+  return least;
+}
+
+void MeasureEnd(const Trajectory& trajectory, const Eigen::Vector3d& place,
+                const std::vector<Target>& targets, Behaviour& behaviour) {
+  behaviour.final_x = place.x();
+  behaviour.final_y = place.y();
+  behaviour.final_z = place.z();
+  const Eigen::Matrix3Xd& orientation = trajectory.core_orientation;
+  behaviour.heading = orientation(2, orientation.cols() - 1);
+  behaviour.target_distance = TargetDistance(place, targets);
+}
 
 }  // namespace
 
-Behaviour Measure(const Trajectory& trajectory, int size, MeasuredPoint point) {
+Behaviour Measure(const Trajectory& trajectory, int size, MeasuredPoint point,
+                  const std::vector<Target>& targets) {
   assert(size >= 1);
   Behaviour behaviour;
   const Eigen::Index last = trajectory.time.size() - 1;
@@ -106,16 +140,26 @@ Behaviour Measure(const Trajectory& trajectory, int size, MeasuredPoint point) {
       trajectory.contacts.cast<double>().mean() / static_cast<double>(size);
   behaviour.servo_error_median = trajectory.servo_error_median;
   behaviour.servo_error_worst = trajectory.servo_error_worst;
-  const double time = trajectory.time(last) - trajectory.time(0);
-  // A life without length has no speed.
-  if (time <= 0) return behaviour;
+  behaviour.energy = trajectory.energy;
   const Eigen::Matrix3Xd& places = point == MeasuredPoint::kCore
                                        ? trajectory.core_position
                                        : trajectory.mass_centre;
+  MeasureEnd(trajectory, places.col(last), targets, behaviour);
+  const double time = trajectory.time(last) - trajectory.time(0);
+  // A life without length has no speed.
+  if (time <= 0) return behaviour;
   const Eigen::Vector3d way = places.col(last) - places.col(0);
   behaviour.displacement_velocity_hill = way.y() / time;
   behaviour.displacement_velocity = way.head<2>().norm() / time;
   const double path = PathLength(places);
+  const double straight = way.head<2>().norm();
+  // Rounding may make a straight path a bit shorter than its ends are apart.
+  if (path > 0) behaviour.straightness = std::min(straight / path, 1.0);
+  behaviour.turning = Turning(trajectory.core_orientation);
+  if (trajectory.weight > 0)
+    behaviour.cost_of_transport =
+        trajectory.energy /
+        (trajectory.weight * std::max(straight, kLeastPath));
   behaviour.velocity = path / time;
   behaviour.core_turns =
       Turns(trajectory.core_orientation) / std::max(path, kLeastPath);

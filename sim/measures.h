@@ -4,6 +4,8 @@
 // as in the authors' program, measures.py, without its errors in durations
 // and windows). Computed from samples; knows no body but its size.
 
+#include <vector>
+
 #include "sim/options.h"
 
 namespace plsc {
@@ -40,9 +42,41 @@ struct Behaviour {
   /// that. A wheel of radius r has 1 / (2 pi r); robots that roll 1 to 2, those
   /// that row or drag themselves along hardly any.
   double core_turns = 0;
+  /// m, world frame: where the measured point is at the end.
+  double final_x = 0;
+  double final_y = 0;
+  double final_z = 0;
+  /// rad, -pi to pi: the core's yaw at the end; 0 as at birth, to the left is
+  /// more.
+  double heading = 0;
+  /// 0 to 1: straight from start to end over the path, as seen from above; 0
+  /// without a path.
+  double straightness = 0;
+  /// rad, at least 0: changes of the core's yaw from sample to sample, the
+  /// short way, without their signs.
+  double turning = 0;
+  /// J, at least 0: torque times speed of all servos and steps, without signs:
+  /// what brakes costs as what drives. Not a number where a store of before has
+  /// none, as are the six above and the two below.
+  double energy = 0;
+  /// At least 0: energy over weight and the straight way as seen from above, of
+  /// which less than a robot's length, 0.1 m, counts as that. 0 without weight.
+  double cost_of_transport = 0;
+  /// m, at least 0: to the nearest target at the end, as seen from above. Not a
+  /// number where there is none.
+  double target_distance = 0;
+};
+
+/// A place of the ground as seen from above that robots may be meant to reach.
+struct Target {
+  double x = 0;  ///< m
+  double y = 0;  ///< m, uphill
+
+  friend bool operator==(const Target&, const Target&) = default;
 };
 
 /// `size`: modules that are no sensors, at least 1.
-Behaviour Measure(const Trajectory& trajectory, int size, MeasuredPoint point);
+Behaviour Measure(const Trajectory& trajectory, int size, MeasuredPoint point,
+                  const std::vector<Target>& targets = {});
 
 }  // namespace plsc

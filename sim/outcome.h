@@ -22,10 +22,12 @@ enum class Outcome : std::uint8_t {
   kTooLarge,      ///< has more links than it may have; not simulated
   kNotReached,    ///< the one life ended in a season before
   kStopped,       ///< by the user, in mid-life
+  /// Lived the whole season, of which what it is worth is no number.
+  kUndefinedFitness,
 };
 
 /// As results and JSON name it.
-inline constexpr std::array<std::pair<Outcome, std::string_view>, 11>
+inline constexpr std::array<std::pair<Outcome, std::string_view>, 12>
     kOutcomeNames{{{Outcome::kCompleted, "completed"},
                    {Outcome::kOverlapping, "overlapping"},
                    {Outcome::kUndeveloped, "undeveloped"},
@@ -36,7 +38,8 @@ inline constexpr std::array<std::pair<Outcome, std::string_view>, 11>
                    {Outcome::kOutOfSteps, "out_of_steps"},
                    {Outcome::kTooLarge, "too_large"},
                    {Outcome::kNotReached, "not_reached"},
-                   {Outcome::kStopped, "stopped"}}};
+                   {Outcome::kStopped, "stopped"},
+                   {Outcome::kUndefinedFitness, "undefined_fitness"}}};
 std::string_view OutcomeName(Outcome outcome);
 
 }  // namespace plsc

@@ -15,6 +15,7 @@
 #include <fmt/format.h>
 
 #include <cassert>
+#include <cmath>
 #include <cstddef>
 #include <memory>
 #include <utility>
@@ -48,7 +49,7 @@ class Drive {
         sensors_.push_back(static_cast<int>(i));
       else if (IsJoint(modules[i].type))
         asked_.push_back(0);
-    speeds_ = asked_;
+    speeds_ = before_ = torques_ = asked_;
   }
 
   /// Before each step: sets the joints' speeds if an update is due.
@@ -66,15 +67,22 @@ class Drive {
     ++updates_;
   }
 
-  /// After each step: how far the joints are from what was asked of them.
+  /// After each step: how far the joints are from what was asked of them, and
+  /// what it took to turn them.
   void Look(const World& world) {
+    std::swap(speeds_, before_);
     world.TellJointSpeeds(speeds_);
-    for (std::size_t i = 0; i < speeds_.size(); ++i)
+    world.TellJointTorques(torques_);
+    for (std::size_t i = 0; i < speeds_.size(); ++i) {
       errors_.Add(speeds_[i] - asked_[i]);
+      // A torque that is constant in a step works at the mean of both speeds.
+      power_ += std::abs(torques_[i] * (before_[i] + speeds_[i])) / 2;
+    }
   }
 
   Controller& controller() { return controller_; }
   const ServoErrors& errors() const { return errors_; }
+  double power() const { return power_; }  ///< W, summed over all steps
 
  private:
   /// What the sensors tell, by Body::modules.
@@ -93,8 +101,11 @@ class Drive {
     return output + TargetError(motor_, updates_, joint) / (2 * servo_.range);
   }
 
-  std::vector<double> asked_;   ///< rad/s, by joint; braked until the first
-  std::vector<double> speeds_;  ///< likewise, after the latest step
+  std::vector<double> asked_;    ///< rad/s, by joint; braked until the first
+  std::vector<double> speeds_;   ///< likewise, after the latest step
+  std::vector<double> before_;   ///< likewise, before it
+  std::vector<double> torques_;  ///< N m, in it
+  double power_ = 0;
   ServoErrors errors_;
   Controller controller_;
   RefreshSchedule schedule_;
@@ -236,6 +247,8 @@ Lived Live(const Phenotype& phenotype, const Terrain& terrain,
   Trajectory trajectory = recorder.Finish(*world, step);
   trajectory.servo_error_median = drive.errors().Median();
   trajectory.servo_error_worst = drive.errors().worst();
+  trajectory.energy = drive.power() * options.physics.step;
+  trajectory.weight = world->Mass() * options.physics.gravity;
   return {std::move(trajectory),
           StateOf(*world, time(step), drive.controller())};
 }

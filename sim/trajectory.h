@@ -31,6 +31,8 @@ struct Trajectory {
   /// their servos are told (sim/servo_errors).
   double servo_error_median = 0;
   double servo_error_worst = 0;
+  double energy = 0;  ///< J: work of the servos, whichever way it went
+  double weight = 0;  ///< N, of the whole robot
 };
 
 }  // namespace plsc

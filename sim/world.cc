@@ -83,6 +83,17 @@ void World::TellJointSpeeds(std::vector<double>& speeds) const {
   engine_->TellJointSpeeds(speeds);
 }
 
+void World::TellJointTorques(std::vector<double>& torques) const {
+  assert(torques.size() == static_cast<std::size_t>(joints()));
+  engine_->TellJointTorques(torques);
+}
+
+double World::Mass() const {
+  double mass = 0;
+  for (const Link& link : links_) mass += link.mass;
+  return mass;
+}
+
 int World::links() const {
   return static_cast<int>(links_.size());
 }

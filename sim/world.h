@@ -49,9 +49,13 @@ class World {
   const Failure& failure() const;
 
   int joints() const;
+  double Mass() const;                 ///< kg, of the whole robot
   double JointAngle(int joint) const;  ///< rad
   /// rad/s, by joint, after the latest step; `speeds` has a place for each.
   void TellJointSpeeds(std::vector<double>& speeds) const;
+  /// N m, likewise: of the servos in the latest step. ODE counts what a stop
+  /// gives among it, as both are one row of its solver.
+  void TellJointTorques(std::vector<double>& torques) const;
   int links() const;
   LinkPose PoseOf(int link) const;
   LinkMotion MotionOf(int link) const;

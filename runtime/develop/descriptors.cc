@@ -248,6 +248,15 @@ void VisitBehaviour(Descriptors& b, const Visit& visit) {
   visit("servo_error_median", b.servo_error_median);
   visit("servo_error_worst", b.servo_error_worst);
   visit("core_turns", b.core_turns);
+  visit("final_x", b.final_x);
+  visit("final_y", b.final_y);
+  visit("final_z", b.final_z);
+  visit("heading", b.heading);
+  visit("straightness", b.straightness);
+  visit("turning", b.turning);
+  visit("energy", b.energy);
+  visit("cost_of_transport", b.cost_of_transport);
+  visit("target_distance", b.target_distance);
 }
 
 /// Adds what it visits to a list.

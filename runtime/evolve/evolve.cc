@@ -33,6 +33,7 @@
 #include "runtime/evolve/select.h"
 #include "runtime/evolve/worker_request.h"
 #include "runtime/life/evaluation.h"
+#include "runtime/scenario/scenario_fitness.h"
 #include "runtime/workers/worker_count.h"
 #include "runtime/workers/worker_pool.h"
 
@@ -282,6 +283,7 @@ class Run {
     progress.looked_up = evaluator_.counts().looked_up;
     progress.simulated_seconds = evaluator_.counts().simulated_seconds;
     progress.seasons = summary_.Summaries();
+    progress.has_own_fitness = HasOwnFitness(experiment_.scenario);
     options_.on_progress(progress);
   }
 

@@ -37,6 +37,7 @@ struct Progress {
   double simulated_seconds = 0;  ///< of the simulations
   /// Of the population; of those evaluated so far in generation 0.
   std::vector<SeasonProgress> seasons;
+  bool has_own_fitness = false;  ///< what seasons are worth is no speed
 };
 
 struct EvolveOptions {

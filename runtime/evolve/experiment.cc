@@ -17,6 +17,7 @@
 #include "grammar/enum_names.h"
 #include "grammar/keywords.h"
 #include "runtime/evolve/trials_yaml.h"
+#include "runtime/scenario/scenario_fitness.h"
 #include "runtime/scenario/scenario_yaml.h"
 #include "runtime/text/yaml_reader.h"
 #include "runtime/text/yaml_text.h"
@@ -264,6 +265,22 @@ void ReadScenarioOf(YamlMap& map, Profile profile, Experiment& experiment) {
   }
 }
 
+void ReadFitnessOf(YamlMap& map, Experiment& experiment) {
+  const auto value = map.Find("fitness");
+  if (!value) return;
+  if (HasOwnFitness(experiment.scenario))
+    value->Report(Code::kMisfit,
+                  "fitness is given here and in the scenario, too",
+                  "write it once");
+  else if (!experiment.scenario_file.empty() && value->is_map())
+    value->Report(Code::kMisfit,
+                  "expected one formula for all seasons: they have a file of "
+                  "their own",
+                  "write 'fitness' by season in that file");
+  else
+    ReadFitness(*value, experiment.scenario);
+}
+
 int ReadPopulation(YamlMap& map, const char* key, int otherwise, int least) {
   const auto value = map.Find(key);
   if (!value) return otherwise;
@@ -319,8 +336,10 @@ void CheckTogether(YamlMap& map, const Experiment& experiment) {
                             Evaluations(experiment)));
   CheckSize(place("population"), experiment);
   if (!experiment.scenario_file.empty()) return;
+  const char* const about =
+      CheckTargets(experiment.scenario) ? "fitness" : "scenario";
   for (const Diagnostic& error : CheckSenses(experiment))
-    place("scenario").Report(error.code, error.message, error.help);
+    place(about).Report(error.code, error.message, error.help);
 }
 
 std::string PrintState(const State& state) {
@@ -420,6 +439,7 @@ Experiment ReadExperiment(YamlMap& map) {
   experiment.trials = ReadTrials(map);
   experiment.genotype = ReadGenotype(map);
   ReadScenarioOf(map, profile, experiment);
+  ReadFitnessOf(map, experiment);
   map.Close();
   if (map.place().error_count() == errors) CheckTogether(map, experiment);
   return experiment;
@@ -440,6 +460,10 @@ bool AreSame(const Experiment& one, const Experiment& other) {
   return there == other;
 }
 
+bool HasOwnFitness(const Experiment& experiment) {
+  return HasOwnFitness(experiment.scenario);
+}
+
 std::string PrintExperimentKeys(const Experiment& experiment, int indent) {
   std::string text;
   text += fmt::format("robots: {}\n", PrintYamlText(experiment.robots));
@@ -451,10 +475,11 @@ std::string PrintExperimentKeys(const Experiment& experiment, int indent) {
       fmt::format("crossover: {}\n", PrintPlainNumber(experiment.crossover));
   text += fmt::format("tournament: {}\n", experiment.tournament);
   text += PrintVariation(experiment);
+  text += PrintFitness(experiment.scenario, "");
   text += PrintTrials(experiment.trials);
   text += PrintGenotypeOptions(experiment.genotype);
   return Indented(text, indent) + Indented("scenario:\n", indent) +
-         PrintScenarioKeys(experiment.scenario, indent + 2);
+         PrintScenarioKeys(WithoutFitness(experiment.scenario), indent + 2);
 }
 
 std::string PrintExperiment(const Experiment& experiment) {
@@ -473,6 +498,7 @@ std::vector<Diagnostic> CheckSenses(const Experiment& experiment) {
                        "open_loop', nor have they")
                 .WithHelp("leave 'touch' out of 'noise', or write 'controller: "
                           "coupled'")};
+  if (const auto problem = CheckTargets(experiment.scenario)) return {*problem};
   if (experiment.genotype.encoding == Encoding::kBaseline) return {};
   return CheckSenses(experiment.scenario, experiment.genotype.states);
 }

@@ -57,6 +57,9 @@ struct Experiment {
 /// was read from.
 bool AreSame(const Experiment& one, const Experiment& other);
 
+/// Whether seasons are worth something else than the paper's.
+bool HasOwnFitness(const Experiment& experiment);
+
 /// Robots that a whole run evaluates.
 inline std::int64_t Evaluations(const Experiment& experiment) {
   return experiment.population +

@@ -14,7 +14,7 @@ namespace plsc {
 namespace {
 
 // Of this layout; a change of Simulated or Behaviour makes another.
-constexpr std::uint64_t kLayout = 2;
+constexpr std::uint64_t kLayout = 3;
 
 // Everything is words of 8 bytes, the lowest first; texts follow their length.
 class Packer {
@@ -86,6 +86,15 @@ void AddSeason(const Simulated& season, Packer& packer) {
   packer.Add(behaviour.servo_error_median);
   packer.Add(behaviour.servo_error_worst);
   packer.Add(behaviour.core_turns);
+  packer.Add(behaviour.final_x);
+  packer.Add(behaviour.final_y);
+  packer.Add(behaviour.final_z);
+  packer.Add(behaviour.heading);
+  packer.Add(behaviour.straightness);
+  packer.Add(behaviour.turning);
+  packer.Add(behaviour.energy);
+  packer.Add(behaviour.cost_of_transport);
+  packer.Add(behaviour.target_distance);
   packer.Add(season.state_hash);
   packer.Add(static_cast<std::uint64_t>(season.steps));
   packer.Add(static_cast<std::uint64_t>(season.solver_warnings));
@@ -109,6 +118,15 @@ Simulated TakeSeason(Unpacker& bytes) {
   behaviour.servo_error_median = bytes.Number();
   behaviour.servo_error_worst = bytes.Number();
   behaviour.core_turns = bytes.Number();
+  behaviour.final_x = bytes.Number();
+  behaviour.final_y = bytes.Number();
+  behaviour.final_z = bytes.Number();
+  behaviour.heading = bytes.Number();
+  behaviour.straightness = bytes.Number();
+  behaviour.turning = bytes.Number();
+  behaviour.energy = bytes.Number();
+  behaviour.cost_of_transport = bytes.Number();
+  behaviour.target_distance = bytes.Number();
   season.state_hash = bytes.Word();
   season.steps = static_cast<std::int64_t>(bytes.Word());
   season.solver_warnings = static_cast<int>(bytes.Word());

@@ -22,12 +22,13 @@
 
 namespace plsc {
 
-Simulated MeasureSeason(const Trajectory& trajectory, MeasuredPoint point,
+Simulated MeasureSeason(const Trajectory& trajectory, const Scenario& scenario,
                         int size) {
   Simulated simulated;
   simulated.outcome = trajectory.outcome;
   simulated.reason = trajectory.reason;
-  simulated.behaviour = Measure(trajectory, size, point);
+  simulated.behaviour =
+      Measure(trajectory, size, scenario.measured, scenario.targets);
   simulated.state_hash = trajectory.state_hash;
   simulated.steps = trajectory.steps;
   simulated.solver_warnings = trajectory.solver_warnings;
@@ -107,13 +108,14 @@ SeasonLife Life::Next() {
   // how they come to rest.
   Lived lived = LiveIn(season, options, *developed.robot, spot);
   life.trajectory = std::move(lived.trajectory);
-  Simulated simulated = MeasureSeason(life.trajectory, scenario_.measured,
+  Simulated simulated = MeasureSeason(life.trajectory, scenario_,
                                       developed.result.body.absolute_size);
   simulated.begin = begin;
-  life.result = Complete(std::move(developed.result), simulated);
-  if (life.result.outcome != Outcome::kCompleted)
+  life.result = Complete(std::move(developed.result), simulated, season);
+  // Who has no fitness may live on all the same.
+  if (simulated.outcome != Outcome::kCompleted)
     ended_ = fmt::format("the life ended in season '{}': {}", season.name,
-                         OutcomeName(life.result.outcome));
+                         OutcomeName(simulated.outcome));
   robot_ = life.robot = std::move(developed.robot);
   state_ = std::move(lived.end);
   ++next_;

@@ -63,7 +63,7 @@ class Life {
 
 /// A simulated season of a robot of `size`, measured; its begin and inclination
 /// are not known from the trajectory.
-Simulated MeasureSeason(const Trajectory& trajectory, MeasuredPoint point,
+Simulated MeasureSeason(const Trajectory& trajectory, const Scenario& scenario,
                         int size);
 
 }  // namespace plsc

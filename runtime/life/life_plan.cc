@@ -9,8 +9,9 @@
 // whole scenario as it prints, every constant written out, of which only that
 // is removed which cannot matter: names, the other seasons of independent
 // lives, what robots are told (it acts through the phenotype, which has a key
-// of its own). A constant that is added to scenarios is thereby in the keys;
-// one that acts without being printed must be added here.
+// of its own), what seasons are worth, which is made of what is kept. A
+// constant that is added to scenarios is thereby in the keys; one that acts
+// without being printed must be added here.
 //
 // Where lives are independent, a season is a piece of its own. In a continuous
 // life a season begins where the one before ended, so all seasons are one
@@ -56,7 +57,7 @@ std::string TextOf(const Scenario& scenario, const Season& season) {
   alone.seasons[0].senses.clear();
   alone.plasticity = Plasticity::kLifelong;
   alone.sensing = Sensing::kImu;
-  return PrintScenario(alone);
+  return PrintScenario(WithoutFitness(std::move(alone)));
 }
 
 /// The same life by other arithmetic is another simulation.
@@ -171,7 +172,7 @@ std::vector<LifePiece> LifePlanner::PlanSeasons(
 std::vector<LifePiece> LifePlanner::PlanWhole(
     const Genotype& genotype, const Senses& inherited,
     const Disturbances& disturbances) const {
-  Scenario nameless = scenario_;
+  Scenario nameless = WithoutFitness(scenario_);
   nameless.name.clear();
   nameless.profile = Profile::kPaper;
   std::string text = PrintScenario(nameless) + ResultsText() +
@@ -216,13 +217,12 @@ std::vector<Simulated> LifePlanner::Simulate(
   const Season& season = scenario_.seasons[piece.first];
   Onset onset;
   onset.disturbance = DisturbanceIn(disturbances, piece.first);
-  Simulated one = simulate_
-                      ? simulate_(*developed.robot, season, onset.disturbance)
-                      : MeasureSeason(Live(*developed.robot, season.terrain,
-                                           OptionsFor(scenario_, season), onset)
-                                          .trajectory,
-                                      scenario_.measured,
-                                      developed.result.body.absolute_size);
+  Simulated one =
+      simulate_ ? simulate_(*developed.robot, season, onset.disturbance)
+                : MeasureSeason(Live(*developed.robot, season.terrain,
+                                     OptionsFor(scenario_, season), onset)
+                                    .trajectory,
+                                scenario_, developed.result.body.absolute_size);
   one.inclination = developed.result.inclination;
   return {one};
 }
@@ -258,7 +258,8 @@ EvaluatedLife LifePlanner::Assemble(
       result = std::move(developed.result);
       if (developed.robot) {
         assert(simulated[i]);
-        result = Complete(std::move(result), *simulated[i]);
+        result =
+            Complete(std::move(result), *simulated[i], scenario_.seasons[i]);
         evidence.body = BodyJson(developed.robot->body);
         evidence.brain = BrainJson(*developed.robot);
         evidence.phenotype = RobotKey(evidence.body, evidence.brain);

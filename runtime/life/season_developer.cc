@@ -25,6 +25,7 @@
 
 #include "compiler/environment_text.h"
 #include "runtime/develop/develop.h"
+#include "runtime/life/season_quantities.h"
 
 namespace plsc {
 
@@ -154,7 +155,8 @@ Environment EnvironmentOf(const std::vector<SensedState>& sensed,
   return environment;
 }
 
-SeasonResult Complete(SeasonResult developed, const Simulated& simulated) {
+SeasonResult Complete(SeasonResult developed, const Simulated& simulated,
+                      const Season& season) {
   SeasonResult result = std::move(developed);
   result.begin = simulated.begin;
   result.outcome = simulated.outcome;
@@ -168,14 +170,32 @@ SeasonResult Complete(SeasonResult developed, const Simulated& simulated) {
   if (result.outcome != Outcome::kCompleted) return result;
   const double speed = result.behaviour.displacement_velocity_hill;
   assert(std::isfinite(speed));
-  result.fitness = SeasonFitness(speed, result.body.hinge_count);
+  if (!season.fitness) {
+    result.fitness = SeasonFitness(speed, result.body.hinge_count);
+    return result;
+  }
+  const FormulaValue value =
+      season.fitness->Evaluate(QuantitiesOf(result, season));
+  if (value.problem == nullptr) {
+    result.fitness = value.value;
+  } else {
+    result.outcome = Outcome::kUndefinedFitness;
+    result.reason = DescribeProblem(*season.fitness, value);
+  }
   return result;
 }
 
 Simulated SimulatedOf(const SeasonResult& result) {
-  return {result.begin,  result.inclination,    result.outcome,
-          result.reason, result.behaviour,      result.state_hash,
-          result.steps,  result.solver_warnings};
+  Simulated simulated = {result.begin,     result.inclination,
+                         result.outcome,   result.reason,
+                         result.behaviour, result.state_hash,
+                         result.steps,     result.solver_warnings};
+  // What it is worth was not simulated.
+  if (result.outcome == Outcome::kUndefinedFitness) {
+    simulated.outcome = Outcome::kCompleted;
+    simulated.reason.clear();
+  }
+  return simulated;
 }
 
 }  // namespace plsc

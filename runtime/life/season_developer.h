@@ -63,7 +63,9 @@ Environment EnvironmentOf(const std::vector<SensedState>& sensed,
                           const std::vector<State>& states);
 
 /// A season developed and simulated; `developed` of a robot that developed.
-SeasonResult Complete(SeasonResult developed, const Simulated& simulated);
+/// Where what the season is worth comes to no number, that is its outcome.
+SeasonResult Complete(SeasonResult developed, const Simulated& simulated,
+                      const Season& season);
 
 /// What was simulated of it.
 Simulated SimulatedOf(const SeasonResult& result);

@@ -7,8 +7,9 @@
 
 #include <fmt/format.h>
 
-#include <cassert>
+#include <algorithm>
 
+#include "grammar/number.h"
 #include "runtime/text/quantity.h"
 
 namespace plsc {
@@ -33,10 +34,22 @@ bool IsSpeed(const std::optional<double>& fitness) {
   return fitness && *fitness != kMotionless;
 }
 
-std::string FitnessText(const std::optional<double>& fitness) {
+std::string FitnessText(const std::optional<double>& fitness, bool is_own) {
   if (!fitness) return "none";
+  if (is_own) return PrintRoundedNumber(*fitness, 4);
   return IsSpeed(fitness) ? fmt::format("{:.2f}", kCentimetres * *fitness)
                           : "penalty";
+}
+
+std::string FitnessesText(const std::vector<std::optional<double>>& fitnesses,
+                          bool is_own) {
+  std::vector<std::string> texts;
+  texts.reserve(fitnesses.size() + 1);
+  for (const std::optional<double>& fitness : fitnesses)
+    texts.push_back(FitnessText(fitness, is_own));
+  if (!is_own && std::any_of(fitnesses.begin(), fitnesses.end(), IsSpeed))
+    texts.emplace_back("cm/s");
+  return fmt::format("{}", fmt::join(texts, " "));
 }
 
 }  // namespace plsc

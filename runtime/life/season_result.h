@@ -70,8 +70,8 @@ struct SeasonResult {
   BodyDescriptors body;
   BrainDescriptors brain;
   Behaviour behaviour;
-  /// m/s (Eq. 2 of the paper); nothing when the life was not completed, which
-  /// is worse than any number.
+  /// What the season's formula comes to, by default m/s (Eq. 2 of the paper);
+  /// nothing when the life was not completed, which is worse than any number.
   std::optional<double> fitness;
   std::uint64_t state_hash = 0;  ///< of the final physical state
   std::int64_t steps = 0;        ///< simulated
@@ -86,10 +86,16 @@ struct Evaluation {
 /// at all (authors' program, fitness.py:65). `speed` in m/s.
 double SeasonFitness(double speed, int hinge_count);
 
-/// "2.66" cm/s; "penalty" of a robot that cannot move, or does not, which is
-/// worth a number that is no speed; "none".
-std::string FitnessText(const std::optional<double>& fitness);
+/// Of SeasonFitness: "2.66" cm/s; "penalty" of a robot that cannot move, or
+/// does not, which is worth a number that is no speed; "none". Of an
+/// experiment's own formula (`is_own`) the number as it is.
+std::string FitnessText(const std::optional<double>& fitness,
+                        bool is_own = false);
 /// Whether that text is a speed.
 bool IsSpeed(const std::optional<double>& fitness);
+
+/// By season; with the unit, if they are speeds: "2.66 penalty cm/s".
+std::string FitnessesText(const std::vector<std::optional<double>>& fitnesses,
+                          bool is_own);
 
 }  // namespace plsc

@@ -44,8 +44,8 @@ RecordedBody RecordBody(const Body& body) {
   return recorded;
 }
 
-RecordedSeason RecordSeason(const Season& season, const SeasonLife& life,
-                            Motion motion) {
+RecordedSeason RecordSeason(const Scenario& scenario, const Season& season,
+                            const SeasonLife& life, Motion motion) {
   const SeasonResult& result = life.result;
   RecordedSeason recorded;
   recorded.name = season.name;
@@ -57,6 +57,7 @@ RecordedSeason RecordSeason(const Season& season, const SeasonLife& life,
   recorded.change = result.change;
   recorded.change_reason = result.change_reason;
   recorded.fitness = result.fitness;
+  recorded.targets = scenario.targets;
   if (result.behaviour.is_valid) {
     recorded.speed = result.behaviour.displacement_velocity_hill;
     recorded.balance = result.behaviour.head_balance;

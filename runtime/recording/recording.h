@@ -63,7 +63,8 @@ struct RecordedSeason {
   std::string change_reason;
   std::optional<double> speed;    ///< m/s, the paper's Speed
   std::optional<double> balance;  ///< the paper's Balance
-  std::optional<double> fitness;  ///< m/s
+  std::optional<double> fitness;  ///< by default m/s
+  std::vector<Target> targets;    ///< of the scenario
   RecordedBody body;              ///< empty if there was none
   Motion motion;                  ///< without samples if not simulated
 };
@@ -77,9 +78,9 @@ struct Recording {
 
 RecordedBody RecordBody(const Body& body);
 
-/// `motion` as the PoseRecorder took it in this season.
-RecordedSeason RecordSeason(const Season& season, const SeasonLife& life,
-                            Motion motion);
+/// `motion` as the PoseRecorder took it in this season of the scenario.
+RecordedSeason RecordSeason(const Scenario& scenario, const Season& season,
+                            const SeasonLife& life, Motion motion);
 
 /// m, of the centre of mass of the whole robot, (3 x samples).
 Eigen::Matrix3Xd MassCentres(const RecordedSeason& season);

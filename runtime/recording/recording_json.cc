@@ -120,6 +120,9 @@ Json RecordedSeasonJson(const RecordedSeason& season) {
   json["speed"] = OptionalJson(season.speed);
   json["balance"] = OptionalJson(season.balance);
   json["fitness"] = OptionalJson(season.fitness);
+  // Older readers know none.
+  for (const Target& target : season.targets)
+    json["targets"].push_back({{"x", target.x}, {"y", target.y}});
   json["body"] = BodyJson(season.body);
   json["motion"] = MotionJson(season.motion);
   return json;

@@ -299,11 +299,17 @@ Motion ReadMotion(JsonReader& reader, const JsonValue& value,
   return motion;
 }
 
+Target ReadTarget(JsonReader& reader, const JsonValue& value) {
+  static constexpr std::array<std::string_view, 2> kKnown{"x", "y"};
+  if (!reader.IsObject(value, kKnown)) return {};
+  return {reader.Number(value, "x"), reader.Number(value, "y")};
+}
+
 RecordedSeason ReadSeason(JsonReader& reader, const JsonValue& value) {
-  static constexpr std::array<std::string_view, 13> kKnown{
+  static constexpr std::array<std::string_view, 14> kKnown{
       "name",    "terrain", "begin", "duration", "change",
       "outcome", "reason",  "speed", "balance",  "change_reason",
-      "fitness", "body",    "motion"};
+      "fitness", "targets", "body",  "motion"};
   RecordedSeason season;
   if (!reader.IsObject(value, kKnown)) return season;
   season.name = reader.Text(value, "name");
@@ -319,6 +325,10 @@ RecordedSeason ReadSeason(JsonReader& reader, const JsonValue& value) {
   season.speed = reader.NumberIfAny(value, "speed");
   season.balance = reader.NumberIfAny(value, "balance");
   season.fitness = reader.NumberIfAny(value, "fitness");
+  if (reader.Has(value, "targets"))
+    reader.List(value, "targets", [&](const JsonValue& target) {
+      season.targets.push_back(ReadTarget(reader, target));
+    });
   reader.With(value, "body", [&](const JsonValue& body) {
     season.body = ReadBody(reader, body);
   });

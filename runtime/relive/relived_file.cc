@@ -78,9 +78,16 @@ constexpr const char* kLife = R"sql(CREATE TABLE life(
   checksum INTEGER NOT NULL,
   PRIMARY KEY (individual, engine, season, phenotype, n)) WITHOUT ROWID)sql";
 
+/// Columns of behaviour: RelivedMeasures without fitness, which has its own.
+std::vector<std::string> MeasureColumns() {
+  std::vector<std::string> names = RelivedMeasures();
+  names.erase(names.begin());
+  return names;
+}
+
 std::vector<SchemaItem> MakeTables() {
   std::string measures;
-  for (const std::string& name : BehaviourColumns())
+  for (const std::string& name : MeasureColumns())
     measures += fmt::format("  {} REAL,\n", name);
   const auto table = [](const char* name, std::string sql) {
     return SchemaItem{name, std::move(sql), SchemaKind::kTable, true, ""};
@@ -137,7 +144,7 @@ std::int64_t SumOf(const RelivedSeason& life) {
 
 std::string InsertSql() {
   std::string marks;
-  for (std::size_t i = 0; i < BehaviourColumns().size(); ++i) marks += "?, ";
+  for (std::size_t i = 0; i < MeasureColumns().size(); ++i) marks += "?, ";
   return fmt::format(
       "INSERT OR REPLACE INTO life VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, {}"
       "?, ?, ?, ?, ?)",
@@ -149,7 +156,7 @@ std::string SelectSql() {
       "SELECT individual, engine, season, phenotype, n, lift, outcome, reason, "
       "is_valid, {}, fitness, state_hash, steps, solver_warnings, checksum "
       "FROM life ORDER BY individual, engine = 'other', season, phenotype, n",
-      fmt::join(BehaviourColumns(), ", "));
+      fmt::join(MeasureColumns(), ", "));
 }
 
 /// Nothing of a row that is not what was written.
@@ -166,8 +173,10 @@ std::optional<RelivedSeason> TakeLife(Statement& row, int seasons) {
   life.outcome = outcome.value_or(Outcome::kCompleted);
   life.reason = row.TakeText();
   const bool is_valid = row.TakeInteger() != 0;
-  std::vector<double> values(List(Behaviour{}).size());
-  for (double& value : values) value = row.TakeReal();
+  std::vector<double> values(List(Behaviour{}).size(),
+                             std::numeric_limits<double>::quiet_NaN());
+  const std::size_t kept = MeasureColumns().size();
+  for (std::size_t i = 0; i < kept; ++i) values[i] = row.TakeReal();
   if (is_valid) life.behaviour = BehaviourOf(values);
   life.fitness = row.TakeOptional();
   const auto hash = WordOfHex(row.TakeText());
@@ -398,8 +407,9 @@ MaybeFailure RelivedFile::Add(const std::vector<RelivedSeason>& lives) {
         life.of.id, EngineText(life.of.is_other_engine), life.of.season + 1,
         life.of.phenotype + 1, life.n, life.lift, OutcomeName(life.outcome),
         life.reason, life.behaviour.is_valid ? 1 : 0);
-    for (const NamedValue& value : List(life.behaviour))
-      row.And(life.behaviour.is_valid ? std::optional(value.value)
+    const std::vector<NamedValue> values = List(life.behaviour);
+    for (std::size_t i = 0; i + 1 < RelivedMeasures().size(); ++i)
+      row.And(life.behaviour.is_valid ? std::optional(values[i].value)
                                       : std::nullopt);
     row.And(life.fitness)
         .And(hash)

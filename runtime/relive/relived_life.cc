@@ -1,8 +1,17 @@
 #include "runtime/relive/relived_life.h"
 
 #include "runtime/develop/descriptors.h"
+#include "runtime/store/schema.h"
 
 namespace plsc {
+
+namespace {
+
+// The schema of runs whose measures files of relived lives have. They are the
+// first that List gives: what came later stands behind.
+constexpr int kMeasuresOf = 4;
+
+}  // namespace
 
 RelivedSeason RelivedOf(const LifeOf& of, int n, double lift,
                         const SeasonResult& result) {
@@ -22,9 +31,8 @@ RelivedSeason RelivedOf(const LifeOf& of, int n, double lift,
 
 const std::vector<std::string>& RelivedMeasures() {
   static const std::vector<std::string> names = [] {
-    std::vector<std::string> all = {"fitness"};
-    for (const NamedValue& value : List(Behaviour{}))
-      all.emplace_back(value.name);
+    std::vector<std::string> all = BehaviourColumns(kMeasuresOf);
+    all.insert(all.begin(), "fitness");
     return all;
   }();
   return names;
@@ -33,8 +41,9 @@ const std::vector<std::string>& RelivedMeasures() {
 std::vector<std::optional<double>> MeasuresOf(const Behaviour& behaviour,
                                               std::optional<double> fitness) {
   std::vector<std::optional<double>> values = {fitness};
-  for (const NamedValue& value : List(behaviour))
-    values.push_back(behaviour.is_valid ? std::optional(value.value)
+  const std::vector<NamedValue> list = List(behaviour);
+  for (std::size_t i = 0; values.size() < RelivedMeasures().size(); ++i)
+    values.push_back(behaviour.is_valid ? std::optional(list[i].value)
                                         : std::nullopt);
   return values;
 }

@@ -261,6 +261,15 @@ std::vector<ClaimResult> ClaimResultsOf(const StudyReport& report) {
   return results;
 }
 
+std::optional<ReportMeasure> MeasureOf(const StudyReport& report,
+                                       const Claim& claim) {
+  std::optional<ReportMeasure> known = FindMeasure(claim.measure);
+  if (known)
+    for (const ReportMeasure& shown : report.measures)
+      if (shown.id == known->id) return shown;
+  return known;
+}
+
 std::string ClaimsSummary(const std::vector<ClaimResult>& results) {
   if (results.empty()) return "";
   std::string text =

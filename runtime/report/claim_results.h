@@ -37,6 +37,10 @@ struct ClaimResult {
 /// withdrawn is told, and counts in its family, nevertheless.
 std::vector<ClaimResult> ClaimResultsOf(const StudyReport& report);
 
+/// The claim's measure as the report shows it.
+std::optional<ReportMeasure> MeasureOf(const StudyReport& report,
+                                       const Claim& claim);
+
 /// "17 claims: 9 hold, 2 opposite, 6 not shown"; empty without any.
 std::string ClaimsSummary(const std::vector<ClaimResult>& results);
 

@@ -68,7 +68,7 @@ Json VersionJson(const ClaimsRecord& record, std::size_t index) {
 Json ClaimJson(const StudyReport& report, const ClaimResult& result) {
   const Claim& claim = result.stated.claim;
   const StudyClaims& study = report.claims[result.study];
-  const std::optional<ReportMeasure> measure = FindMeasure(claim.measure);
+  const std::optional<ReportMeasure> measure = MeasureOf(report, claim);
   Json json{{"study", study.study},
             {"claim", claim.name},
             {"says", WhatIsClaimed(claim)},

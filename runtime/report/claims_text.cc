@@ -115,7 +115,7 @@ std::string StatedText(const ClaimsRecord& record, const ClaimResult& result) {
 
 std::string ResultText(const StudyReport& report, const ClaimResult& result) {
   const Claim& claim = result.stated.claim;
-  const std::optional<ReportMeasure> measure = FindMeasure(claim.measure);
+  const std::optional<ReportMeasure> measure = MeasureOf(report, claim);
   const std::string unit =
       measure && !measure->unit.empty() ? " " + measure->unit : "";
   std::string text =

@@ -401,7 +401,8 @@ Result<Digest> ParseDigest(const Source& source) {
   ReadClaimsTexts(reader, root, digest);
   digest.every = static_cast<int>(reader.Integer(root, "every", 1, kMostInt));
   reader.List(root, "measures", [&](const JsonValue& measure) {
-    const auto found = ChooseMeasures(reader.Text(measure));
+    auto found = ChooseMeasures(reader.Text(measure));
+    if (found && HasOwnFitness(digest.study)) UseOwnFitness(*found);
     if (!found || found->size() != 1)
       reader.Error(measure, Code::kUnknownWord, "no measure has this name");
     else if (std::find(digest.measures.begin(), digest.measures.end(),

@@ -7,6 +7,8 @@
 #include <optional>
 #include <utility>
 
+#include "runtime/store/run_store.h"
+
 namespace plsc {
 
 namespace {
@@ -121,6 +123,27 @@ int ComparedGeneration(const StudyReport& report) {
   return compared;
 }
 
+/// Whether any of the runs goes by a formula of its own. Runs that cannot be
+/// read tell nothing.
+bool HasOwnFitness(const ReportInput& input) {
+  if (input.digest) return HasOwnFitness(input.digest->study);
+  if (input.expected) return HasOwnFitness(*input.expected);
+  RunStore store;
+  return !store.OpenForReading(input.path) && HasOwnFitness(store.experiment());
+}
+
+void TakeOwnFitness(const ReportInputs& inputs,
+                    std::vector<ReportMeasure>& measures) {
+  const bool is_asked = std::any_of(measures.begin(), measures.end(),
+                                    [](const ReportMeasure& measure) {
+                                      return measure.id == kFitnessMeasure;
+                                    });
+  if (is_asked &&
+      std::any_of(inputs.runs.begin(), inputs.runs.end(),
+                  [](const ReportInput& one) { return HasOwnFitness(one); }))
+    UseOwnFitness(measures);
+}
+
 }  // namespace
 
 StudyReport BuildReport(const ReportInputs& inputs,
@@ -132,6 +155,7 @@ StudyReport BuildReport(const ReportInputs& inputs,
   report.measures = measures;
   for (const StudyClaims& study : inputs.claims)
     AddClaimedMeasures(study.record, report.measures);
+  TakeOwnFitness(inputs, report.measures);
   report.is_single = inputs.runs.size() == 1;
   report.is_verified = verify;
   const ReadOptions options{report.measures, report.is_single, verify};

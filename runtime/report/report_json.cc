@@ -13,6 +13,7 @@
 #include "runtime/report/experiment_difference.h"
 #include "runtime/report/report_relived_json.h"
 #include "runtime/report/rounded_json.h"
+#include "runtime/scenario/scenario_fitness.h"
 #include "runtime/scenario/scenario_terrain.h"
 #include "runtime/store/schema.h"
 #include "runtime/text/json_dump.h"
@@ -60,6 +61,9 @@ Json ExperimentJson(const StudyReport& report, const ReportExperiment& one) {
   json["offspring"] = one.experiment.offspring;
   json["generations"] = one.experiment.generations;
   json["lives"] = TextOrNull(DescribeTrials(one.experiment.trials));
+  json["fitness"] = HasOwnFitness(one.experiment.scenario)
+                        ? Json(DescribeFitness(one.experiment.scenario))
+                        : Json(nullptr);
   json["seasons"] = Json::array();
   for (std::size_t i = 0; i < one.seasons.size(); ++i) {
     const Season& season = one.experiment.scenario.seasons[i];

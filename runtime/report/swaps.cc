@@ -26,12 +26,21 @@ std::vector<RunSwap> SwapsOfRuns(const StudyReport& report,
   return swaps;
 }
 
+bool IsFormula(const StudyReport& report) {
+  return std::any_of(report.experiments.begin(), report.experiments.end(),
+                     [](const ReportExperiment& one) {
+                       return HasOwnFitness(one.experiment);
+                     });
+}
+
 }  // namespace
 
 std::vector<SwapLosses> SwapLossesOf(const StudyReport& report) {
   const std::vector<std::string>& known = RelivedMeasures();
   std::vector<SwapLosses> all;
-  for (const char* id : {"displacement_velocity_hill", "fitness"}) {
+  for (const char* id : {"displacement_velocity_hill", kFitnessMeasure}) {
+    // What a formula comes to is no speed in cm/s.
+    if (id == std::string_view(kFitnessMeasure) && IsFormula(report)) continue;
     const auto measure = static_cast<std::size_t>(
         std::find(known.begin(), known.end(), id) - known.begin());
     for (std::size_t season = 0; season < report.seasons.size(); ++season)

@@ -52,7 +52,7 @@ CellRow RowOfFinding(const StudyReport& report, const ClaimResult& result,
   const ClaimsVersion& version = study.record[result.stated.since];
   const ClaimFinding& finding =
       told == Told::kRelived ? *result.relived : result.recorded;
-  const std::optional<ReportMeasure> measure = FindMeasure(claim.measure);
+  const std::optional<ReportMeasure> measure = MeasureOf(report, claim);
   std::optional<Interval> interval = finding.interval;
   if (finding.effect) interval = finding.effect->interval;
   const bool is_first = (told == Told::kRelived) == result.IsRelivedFirst();

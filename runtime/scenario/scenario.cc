@@ -72,6 +72,11 @@ std::vector<Diagnostic> CheckSenses(const Scenario& scenario,
   return errors.Take();
 }
 
+Scenario WithoutFitness(Scenario scenario) {
+  for (Season& season : scenario.seasons) season.fitness.reset();
+  return scenario;
+}
+
 std::optional<Diagnostic> CheckEngines(const Scenario& scenario) {
   for (const Season& season : scenario.seasons)
     if (season.physics.engine == EngineKind::kArticulated &&

@@ -15,6 +15,8 @@
 #include "compiler/genotype.h"
 #include "grammar/enum_names.h"
 #include "grammar/result.h"
+#include "runtime/formula/formula.h"
+#include "sim/measures.h"
 #include "sim/options.h"
 #include "sim/terrain.h"
 
@@ -61,6 +63,9 @@ struct Season {
   /// What a robot is told, by state name, as written in a clause: "True",
   /// "30.5", "wet". May name states that a genotype does not ask about.
   std::map<std::string, std::string> senses;
+  /// What a robot is worth that lived the season; nothing: what the authors'
+  /// program has, DefaultFitness.
+  std::optional<Formula> fitness;
 
   friend bool operator==(const Season&, const Season&) = default;
 };
@@ -80,6 +85,9 @@ struct Scenario {
   int max_steps = 1000000;  ///< of a season
   int max_links = 256;      ///< of a robot
   ServoOptions servo;
+  /// Places that robots may be meant to reach, in all seasons. They are seen
+  /// and measured, and change nothing.
+  std::vector<Target> targets;
 
   friend bool operator==(const Scenario&, const Scenario&) = default;
 };
@@ -98,6 +106,9 @@ bool IsFelt(const Scenario& scenario, const Season& season, const State& state);
 /// The errors of Sense for all seasons, what robots feel taken as known.
 std::vector<Diagnostic> CheckSenses(const Scenario& scenario,
                                     const std::vector<State>& states);
+
+/// All seasons are worth what the authors' program has.
+Scenario WithoutFitness(Scenario scenario);
 
 /// What keeps the seasons' engines from living them, for a message; or nothing.
 /// The articulated engine knows no iterative solver, and one life has one

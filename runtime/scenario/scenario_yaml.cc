@@ -13,6 +13,7 @@
 #include "grammar/enum_names.h"
 #include "grammar/number.h"
 #include "grammar/suggest.h"
+#include "runtime/scenario/scenario_fitness.h"
 #include "runtime/scenario/scenario_physics.h"
 #include "runtime/scenario/scenario_profile.h"
 #include "runtime/scenario/scenario_terrain.h"
@@ -302,11 +303,16 @@ Scenario ReadScenario(YamlMap& map, Profile otherwise) {
   scenario.start_clearance =
       map.Number("start_clearance", scenario.start_clearance, kClearance);
   scenario.seasons = ReadSeasons(map, profile, physics);
+  ReadTargets(map, scenario);
+  const auto fitness = map.Find("fitness");
+  if (fitness) ReadFitness(*fitness, scenario);
   map.Close();
   if (map.place().error_count() == errors) {
     CheckSampling(map, scenario);
     CheckLengths(map, scenario);
     CheckSettling(map, scenario);
+    if (const auto problem = CheckTargets(scenario))
+      fitness->Report(problem->code, problem->message, problem->help);
     if (const auto problem = CheckEngines(scenario))
       map.Find("physics")
           .value_or(map.Find("seasons").value_or(map.place()))
@@ -333,6 +339,10 @@ std::string PrintScenarioKeys(const Scenario& scenario, int indent) {
   text += fmt::format("{}seasons:\n", blanks);
   for (const Season& season : scenario.seasons)
     text += PrintSeason(season, physics, deeper);
+  if (!scenario.targets.empty()) add("targets", PrintTargets(scenario.targets));
+  // What is printed is in the keys of simulations, which must stay as they
+  // were.
+  if (HasOwnFitness(scenario)) text += PrintFitness(scenario, blanks);
   add("sample_interval",
       PrintQuantity(scenario.sample_interval, Dimension::kTime));
   add("start_clearance",

@@ -82,7 +82,8 @@ Answer LiveAll(const Request& request) {
           "joints",
           season.name, watch.work(), kMostLinkSteps));
     if (is_recording)
-      recording.seasons.push_back(RecordSeason(season, lived, watch.Take()));
+      recording.seasons.push_back(
+          RecordSeason(scenario, season, lived, watch.Take()));
     evaluation.seasons.push_back(lived.result);
   }
   Answer answer;

@@ -78,16 +78,12 @@ MaybeFailure CheckCanGrow(const std::string& path, int schema,
                           const Versions& versions) {
   if (schema == kSchemaVersion) return std::nullopt;
   const auto missing = MissingMeasures(schema);
-  const std::string lacks =
-      missing.empty()
-          ? "it has no table of trials"
-          : fmt::format(
-                "its lives lack {}, which cannot be added to them any more",
-                fmt::join(missing, ", "));
   return fmt::format(
-      "'{}' is a store of schema {}, and this program's have {}: {}, so it can "
-      "be read only; the program that began it (plsc {}) goes on with it",
-      path, schema, kSchemaVersion, lacks, versions.plsc);
+      "'{}' is a store of schema {}, and this program's have {}: its lives "
+      "lack "
+      "{}, which cannot be added to them any more, so it can be read only; the "
+      "program that began it (plsc {}) goes on with it",
+      path, schema, kSchemaVersion, fmt::join(missing, ", "), versions.plsc);
 }
 
 bool HasDied(const Evaluation& evaluation) {

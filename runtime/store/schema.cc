@@ -16,9 +16,25 @@ namespace plsc {
 
 namespace {
 
-// Of behaviour, since schema 3.
-constexpr std::string_view kNewMeasures[] = {"servo_error_median",
-                                             "servo_error_worst", "core_turns"};
+struct NewMeasure {
+  std::string_view name;
+  int since = 0;  // schema
+};
+// Of behaviour, in its order.
+constexpr NewMeasure kNewMeasures[] = {
+    {"servo_error_median", 3},
+    {"servo_error_worst", 3},
+    {"core_turns", 3},
+    {"final_x", 5},
+    {"final_y", 5},
+    {"final_z", 5},
+    {"heading", 5},
+    {"straightness", 5},
+    {"turning", 5},
+    {"energy", 5},
+    {"cost_of_transport", 5},
+    {"target_distance", 5},
+};
 
 std::vector<std::string> Names(const std::vector<NamedValue>& list) {
   std::vector<std::string> names;
@@ -304,7 +320,8 @@ std::vector<SchemaItem> MakeSchema(int version) {
 
 const std::vector<SchemaItem>& Schema(int version) {
   static const std::vector<SchemaItem> all[] = {MakeSchema(1), MakeSchema(2),
-                                                MakeSchema(3), MakeSchema(4)};
+                                                MakeSchema(3), MakeSchema(4),
+                                                MakeSchema(5)};
   static_assert(std::size(all) == kSchemaVersion);
   assert(version >= kOldestSchema && version <= kSchemaVersion);
   return all[version - kOldestSchema];
@@ -337,8 +354,10 @@ std::vector<std::string> CensusColumns(int version) {
 }
 
 std::vector<std::string> MissingMeasures(int version) {
-  if (version >= 3) return {};
-  return {std::begin(kNewMeasures), std::end(kNewMeasures)};
+  std::vector<std::string> missing;
+  for (const NewMeasure& measure : kNewMeasures)
+    if (measure.since > version) missing.emplace_back(measure.name);
+  return missing;
 }
 
 }  // namespace plsc

@@ -19,12 +19,13 @@ inline constexpr int kApplicationId = 0x706c7363;
 /// (runtime/relive).
 inline constexpr int kRelivedApplicationId = 0x706c7352;
 /// PRAGMA user_version. To be raised by 1 at every change of the schema.
-inline constexpr int kSchemaVersion = 4;
+inline constexpr int kSchemaVersion = 5;
 /// Of the oldest that are read. Stores of schema 1 have no column run.results,
 /// as all of them are of the first arithmetic (sim/results.h); before schema 3
 /// there were neither servo errors and turns of the core nor the counts of
 /// each generation (MissingMeasures), and before schema 4 no table `trial`, as
-/// no robot lived a season twice.
+/// no robot lived a season twice. Schema 5 has more of behaviour, from where a
+/// robot comes to be to what its way costs.
 inline constexpr int kOldestSchema = 1;
 
 enum class SchemaKind : std::uint8_t { kTable, kIndex, kView };

@@ -67,9 +67,8 @@ void AddWhatIsNew(Database& database, int version) {
   };
   if (version < 4) AddTrials(database);
   if (version < 2) add("run", ", 1 AS results");
-  if (version >= 3) return;
   add("simulation", Nulls(MissingMeasures(version)));
-  add("generation", Nulls(CensusColumns()));
+  if (version < 3) add("generation", Nulls(CensusColumns()));
   // As it is, over these.
   for (const SchemaItem& item : Schema())
     if (item.name == "result")

@@ -343,6 +343,10 @@ std::vector<Diagnostic> CheckClaims(
     problems.emplace_back(Code::kMisfit, Span{},
                           fmt::format("claim '{}': {}", claim.name, message));
   };
+  const auto is_fitness = [](const Claim& claim) {
+    const std::optional<ReportMeasure> measure = FindMeasure(claim.measure);
+    return measure && measure->id == kFitnessMeasure;
+  };
   for (const Claim& claim : claims)
     for (const std::string& name : claim.experiments) {
       const StudyExperiment* one = Find(experiments, name);
@@ -353,6 +357,13 @@ std::vector<Diagnostic> CheckClaims(
       if (claim.kind == ClaimKind::kMinimumBefore &&
           IsBeyond(*one, claim.minimum_before))
         report(claim, TooFewGenerations(*one));
+      // Its number would be compared with one of another unit.
+      if (claim.kind == ClaimKind::kValue && is_fitness(claim) &&
+          HasOwnFitness(one->experiment))
+        report(claim, fmt::format("the fitness of experiment '{}' is a formula "
+                                  "of its own and no speed in cm/s: claim a "
+                                  "value of what it is made of",
+                                  name));
     }
   return problems;
 }

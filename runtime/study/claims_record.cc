@@ -237,8 +237,10 @@ void AddClaimedMeasures(const ClaimsRecord& record,
   for (const ClaimsVersion& version : record)
     for (const Claim& claim : version.claims) {
       const std::optional<ReportMeasure> measure = FindMeasure(claim.measure);
-      if (measure && std::find(measures.begin(), measures.end(), *measure) ==
-                         measures.end())
+      const auto is_it = [&](const ReportMeasure& one) {
+        return one.id == measure->id;
+      };
+      if (measure && std::none_of(measures.begin(), measures.end(), is_it))
         measures.push_back(*measure);
     }
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cctype>
 
+#include "runtime/formula/quantities.h"
 #include "runtime/store/schema.h"
 #include "runtime/text/quantity.h"
 
@@ -37,7 +38,8 @@ bool IsSpeed(const std::string& id) {
 std::string UnitOf(const std::string& id) {
   if (IsSpeed(id)) return "cm/s";
   if (id.find("servo_error") != std::string::npos) return "rad/s";
-  return id == "core_turns" ? "1/m" : "";
+  const auto quantity = FindQuantity(id);
+  return quantity ? std::string(Quantities()[*quantity].unit) : "";
 }
 
 void AddOthers(const std::vector<std::string>& columns, MeasureSource source,
@@ -95,8 +97,8 @@ Measures PaperMeasures() {
 
 Measures AllMeasures() {
   Measures all = PaperMeasures();
-  all.push_back(
-      {"fitness", "Fitness", "cm/s", kCentimetres, MeasureSource::kEvaluation});
+  all.push_back({kFitnessMeasure, "Fitness", "cm/s", kCentimetres,
+                 MeasureSource::kEvaluation});
   AddOthers(BehaviourColumns(), MeasureSource::kBehaviour, all);
   AddOthers(BodyColumns(), MeasureSource::kBody, all);
   AddOthers(BrainColumns(), MeasureSource::kBrain, all);
@@ -120,6 +122,14 @@ Expected<Measures, Failure> ChooseMeasures(std::string_view text) {
     if (!Has(chosen, found->id)) chosen.push_back(*found);
   }
   return chosen;
+}
+
+void UseOwnFitness(Measures& measures) {
+  for (ReportMeasure& measure : measures)
+    if (measure.id == kFitnessMeasure) {
+      measure.unit.clear();
+      measure.scale = 1;
+    }
 }
 
 std::optional<ReportMeasure> FindMeasure(std::string_view name) {

@@ -44,6 +44,12 @@ std::vector<ReportMeasure> AllMeasures();
 Expected<std::vector<ReportMeasure>, Failure> ChooseMeasures(
     std::string_view text);
 
+/// The id of the fitness.
+inline constexpr const char* kFitnessMeasure = "fitness";
+
+/// Fitness as it is stored, where it is a formula's and no speed.
+void UseOwnFitness(std::vector<ReportMeasure>& measures);
+
 /// By column or title, in any case.
 std::optional<ReportMeasure> FindMeasure(std::string_view name);
 

@@ -209,4 +209,10 @@ Experiment ExperimentOf(const Study& study, const StudyRun& run) {
   return experiment;
 }
 
+bool HasOwnFitness(const Study& study) {
+  return std::any_of(
+      study.experiments.begin(), study.experiments.end(),
+      [](const StudyExperiment& one) { return HasOwnFitness(one.experiment); });
+}
+
 }  // namespace plsc

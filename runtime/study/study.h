@@ -56,4 +56,7 @@ std::uint64_t SeedOf(const Study& study, const StudyRun& run);
 /// What to run, with its name and seed.
 Experiment ExperimentOf(const Study& study, const StudyRun& run);
 
+/// Whether any of its experiments has.
+bool HasOwnFitness(const Study& study);
+
 }  // namespace plsc

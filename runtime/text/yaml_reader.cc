@@ -29,6 +29,7 @@
 #include "grammar/reporter.h"
 #include "grammar/screen.h"
 #include "grammar/suggest.h"
+#include "runtime/text/scalar_place.h"
 #include "runtime/text/yaml_words.h"
 
 namespace plsc {
@@ -80,9 +81,13 @@ std::string Found(const YAML::Node& node) {
 
 Diagnostic NotYaml(const Source& source, const YAML::Exception& error) {
   const std::uint32_t at = OffsetOf(source, error.mark);
-  return {Code::kNotYamlOrJson,
-          {at, at},
-          fmt::format("this is not YAML: {}", error.msg)};
+  Diagnostic problem(Code::kNotYamlOrJson, {at, at},
+                     fmt::format("this is not YAML: {}", error.msg));
+  if (error.msg == YAML::ErrorMsg::MAP_VALUE)
+    problem.WithHelp(
+        "a text with ': ' in it, as a formula's choice, stands in "
+        "quotes");
+  return problem;
 }
 
 // Where documents begin; nothing else of them.
@@ -206,6 +211,21 @@ void YamlValue::Report(Code code, std::string message, std::string help,
       document_->reporter.Report(code, span(), std::move(message))
           .WithHelp(std::move(help));
   if (!replacement.empty()) diagnostic.WithFix(span(), std::move(replacement));
+}
+
+void YamlValue::ReportPart(Diagnostic problem) const {
+  if (is_full()) return;
+  const Span all = span();
+  const auto place = [&](Span part) {
+    return PlaceInScalar(document_->source.text(), all.begin, text(), part);
+  };
+  problem.span = place(problem.span).value_or(all);
+  std::vector<Fix> fixes;
+  for (const Fix& fix : problem.fixes)
+    if (const auto at = place(fix.span))
+      fixes.push_back({*at, fix.replacement});
+  problem.fixes = std::move(fixes);
+  document_->reporter.Add(std::move(problem));
 }
 
 std::size_t YamlValue::error_count() const {

@@ -68,6 +68,8 @@ class YamlValue {
   /// its place.
   void Report(Code code, std::string message, std::string help = "",
               std::string replacement = "") const;
+  /// Likewise, what is wrong with a part of a scalar: places are in text().
+  void ReportPart(Diagnostic problem) const;
   /// Of the file, so far: who puts values together that were read one by one
   /// has nothing to say where one of them is wrong and only a default stands in
   /// for it.

@@ -211,6 +211,11 @@ void ArticulatedEngine::TellJointSpeeds(std::vector<double>& speeds) const {
     speeds[i] = state_.links[i + 1].speed;
 }
 
+void ArticulatedEngine::TellJointTorques(std::vector<double>& torques) const {
+  for (std::size_t i = 0; i < torques.size(); ++i)
+    torques[i] = motors_.torques()[i + 1];
+}
+
 LinkPose ArticulatedEngine::PoseOf(int link) const {
   return {PositionOf(link), axes_ * state_.links[At(link)].axes};
 }

@@ -30,6 +30,7 @@ class ArticulatedEngine final : public Engine {
   bool Step() override;
   double JointAngle(int joint) const override;
   void TellJointSpeeds(std::vector<double>& speeds) const override;
+  void TellJointTorques(std::vector<double>& torques) const override;
   LinkPose PoseOf(int link) const override;
   LinkMotion MotionOf(int link) const override;
   std::uint64_t Hash() const override;

@@ -39,6 +39,7 @@ Motors::Motors(const Model& model, const SimulationOptions& options)
     : model_(model), physics_(options.physics), servo_(options.servo) {
   const std::size_t n = model.links().size();
   targets_.assign(n, 0);
+  torques_.assign(n, 0);
   free_of_.assign(n, -1);
   for (auto& holds : holds_) holds.assign(n, Hold::kFree);
   wrenches_.resize(n);
@@ -152,6 +153,7 @@ bool Motors::FreeOverloaded(Phase phase, const Step& step) {
                   problem.Unknown(free_[i].unknown);
     const double torque =
         rate * (momentum - own.aim) - own.motion.dot(wrenches_[k]);
+    torques_[k] = torque;
     if (torque > servo_.max_torque) MakeFree(link, Hold::kHigh, step);
     if (torque < -servo_.max_torque) MakeFree(link, Hold::kLow, step);
   }
@@ -160,8 +162,9 @@ bool Motors::FreeOverloaded(Phase phase, const Step& step) {
 
 void Motors::EndPhase(Phase phase, const Problem& problem) {
   for (const Free& free : free_) {
-    const Hold hold = problem.ServoOf(free.unknown).hold;
-    holds_[phase][static_cast<std::size_t>(free.link)] = hold;
+    const Row& servo = problem.ServoOf(free.unknown);
+    holds_[phase][static_cast<std::size_t>(free.link)] = servo.hold;
+    torques_[static_cast<std::size_t>(free.link)] = servo.force;
   }
   if (phase != kRubbing) return;
   for (std::size_t k = 1; k < free_of_.size(); ++k) {

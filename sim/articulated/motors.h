@@ -40,6 +40,9 @@ class Motors {
   bool FreeOverloaded(Phase phase, const Step& step);
   void EndPhase(Phase phase, const Problem& problem);
 
+  /// N m, by link: of its servo in the latest step.
+  const std::vector<double>& torques() const { return torques_; }
+
   bool has_free() const { return !free_.empty(); }
   /// rad/s beyond its target that the joint turns at.
   double Excess(int link, const Problem& problem) const;
@@ -66,6 +69,7 @@ class Motors {
   PhysicsOptions physics_;
   ServoOptions servo_;
   std::vector<double> targets_;
+  std::vector<double> torques_;
   std::vector<int> free_of_;  ///< by link: index in free_, or -1
   std::vector<Free> free_;
   std::vector<Hold> holds_[kPhases];  ///< by link, of the last step

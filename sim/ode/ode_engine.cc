@@ -124,6 +124,7 @@ OdeEngine::OdeEngine(const Scene& scene)
   }
   // A step asks for no memory. Other grounds grow theirs in the first steps.
   found.reserve(most_corners);
+  loads.reserve(scene.assembly.hinges.size());
   for (const Hinge& hinge : scene.assembly.hinges)
     AddHinge(hinge, placement, scene.options.servo);
   if (has_boxes) obstacle = dCreateBox(nullptr, 1, 1, 1);
@@ -177,6 +178,8 @@ void OdeEngine::AddHinge(const Hinge& hinge, const Placement& placement,
   dJointSetHingeParam(joint, dParamHiStop, servo.range);
   dJointSetHingeParam(joint, dParamFMax, servo.max_torque);
   dJointSetHingeParam(joint, dParamVel, 0);
+  // ODE keeps a pointer; as many are reserved as there are hinges.
+  dJointSetFeedback(joint, &loads.emplace_back().feedback);
   hinges.push_back(joint);
 }
 
@@ -204,6 +207,7 @@ bool OdeEngine::Step() {
   try {
     Collide();
     if (listener) listener(StepPart::kCollision);
+    NoteLoads();
     if (is_direct) {
       dWorldStep(world, physics.step);
     } else {
@@ -267,6 +271,28 @@ double OdeEngine::JointAngle(int joint) const {
 void OdeEngine::TellJointSpeeds(std::vector<double>& speeds) const {
   for (std::size_t i = 0; i < hinges.size(); ++i)
     speeds[i] = dJointGetHingeAngleRate(hinges[i]);
+}
+
+void OdeEngine::NoteLoads() {
+  for (std::size_t i = 0; i < hinges.size(); ++i) {
+    dVector3 place = {};
+    dJointGetHingeAxis(hinges[i], place);
+    loads[i].axis = ToVector(place);
+    dJointGetHingeAnchor(hinges[i], place);
+    const dBodyID child = dJointGetBody(hinges[i], 0);
+    loads[i].arm = ToVector(place) - ToVector(dBodyGetPosition(child));
+  }
+}
+
+// What a hinge does to its child is a force in its anchor and a torque; of the
+// torque what lies along its axis is the servo's, all else is what holds it.
+void OdeEngine::TellJointTorques(std::vector<double>& torques) const {
+  for (std::size_t i = 0; i < loads.size(); ++i) {
+    const HingeLoad& load = loads[i];
+    const Vector3d torque =
+        ToVector(load.feedback.t1) - load.arm.cross(ToVector(load.feedback.f1));
+    torques[i] = torque.dot(load.axis);
+  }
 }
 
 LinkPose OdeEngine::PoseOf(int link) const {

@@ -35,6 +35,13 @@ inline void FillMatrix(const Eigen::Matrix3d& from, dMatrix3 to) {
       from;
 }
 
+/// Where a hinge is before a step, and what it does in it.
+struct HingeLoad {
+  Eigen::Vector3d axis;
+  Eigen::Vector3d arm;  ///< m, from the child's centre of mass to the anchor
+  dJointFeedback feedback = {};
+};
+
 struct OdeEngine final : Engine {
   dWorldID world = nullptr;
   dThreadingImplementationID threading = nullptr;
@@ -52,6 +59,7 @@ struct OdeEngine final : Engine {
   Terrain terrain;
   Eigen::Vector3d ground;  ///< normal
   std::optional<HeightField> field;
+  std::vector<HingeLoad> loads;  ///< by joint
   bool has_boxes = false;
   PhysicsOptions physics;
   ContactLaw on_ground, on_robot;
@@ -70,6 +78,7 @@ struct OdeEngine final : Engine {
   bool Step() override;
   double JointAngle(int joint) const override;
   void TellJointSpeeds(std::vector<double>& speeds) const override;
+  void TellJointTorques(std::vector<double>& torques) const override;
   LinkPose PoseOf(int link) const override;
   LinkMotion MotionOf(int link) const override;
   std::uint64_t Hash() const override;
@@ -79,6 +88,8 @@ struct OdeEngine final : Engine {
                 const ServoOptions& servo);
   void AddGeoms(const Link& link, dBodyID body);
 
+  /// Where the servos' torques are found after a step: joints move in it.
+  void NoteLoads();
   void CollideGround(std::size_t link);
   void CollideRough(std::size_t link);
   void CollideObstacles(std::size_t link);

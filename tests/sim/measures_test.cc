@@ -197,6 +197,40 @@ TEST_CASE("Who falls over where it stands has turned a quarter on 0.1 m",
   CHECK(CoreTurns(life) == Approx(0.25 / 0.1));
 }
 
+TEST_CASE("The end of a life is measured where it is", "[measures]") {
+  Trajectory walk = Walk();
+  walk.core_orientation.row(2) << 3, -3, -2.5;  // rad, yaw
+  const Behaviour end = Measure(walk, 2, MeasuredPoint::kCore);
+  CHECK(end.final_x == 4);
+  CHECK(end.final_y == -1);
+  CHECK(end.final_z == 0.2);
+  CHECK(end.heading == -2.5);
+  CHECK(end.straightness == Approx(std::sqrt(13.0) / 11));
+  // The short way across pi, then back.
+  CHECK(end.turning == Approx(2 * M_PI - 6 + 0.5));
+  CHECK(std::isnan(end.target_distance));
+  const Behaviour near =
+      Measure(walk, 2, MeasuredPoint::kCore, {{100, 0}, {4, 2}, {1, 3}});
+  CHECK(near.target_distance == Approx(3));
+}
+
+TEST_CASE("Transport costs energy over weight and way", "[measures]") {
+  Trajectory walk = Walk();
+  walk.energy = 6;
+  walk.weight = 2;
+  const Behaviour far = Measure(walk, 2, MeasuredPoint::kCore);
+  CHECK(far.energy == 6);
+  CHECK(far.cost_of_transport == Approx(6 / (2 * std::sqrt(13.0))));
+  // Who comes nowhere: as if it were a robot's length.
+  walk.core_position.col(2) = walk.core_position.col(0);
+  CHECK(Measure(walk, 2, MeasuredPoint::kCore).cost_of_transport ==
+        Approx(6 / (2 * 0.1)));
+  walk.weight = 0;
+  CHECK(Measure(walk, 2, MeasuredPoint::kCore).cost_of_transport == 0);
+  walk.core_position.col(1) = walk.core_position.col(0);
+  CHECK(Measure(walk, 2, MeasuredPoint::kCore).straightness == 0);
+}
+
 TEST_CASE("Errors of servos are the life's", "[measures]") {
   Trajectory walk = Walk();
   walk.servo_error_median = 0.25;

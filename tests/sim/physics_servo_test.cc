@@ -1,9 +1,11 @@
 // The servo's response against its difference equation, through a whole life:
-// brain, schedule, servo and joint together.
+// brain, schedule, servo and joint together; and what servos spend against what
+// links gain.
 
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <vector>
 
 #include "sim/simulate.h"
 #include "tests/sim/bodies.h"
@@ -122,6 +124,90 @@ TEST_CASE("A robot without joints has no errors", "[physics]") {
   REQUIRE(life.outcome == Outcome::kCompleted);
   CHECK(life.servo_error_median == 0);
   CHECK(life.servo_error_worst == 0);
+}
+
+// In free flight all of a robot's motion comes from its servos.
+
+/// J, of all links.
+double MotionEnergy(const Assembly& assembly, const World& world) {
+  double sum = 0;
+  for (int i = 0; i < world.links(); ++i) {
+    const LinkMotion motion = world.MotionOf(i);
+    sum +=
+        assembly.links[static_cast<std::size_t>(i)].mass *
+            motion.velocity.squaredNorm() / 2 +
+        motion.spin.dot(test::InertiaOf(assembly, world, i) * motion.spin) / 2;
+  }
+  return sum;
+}
+
+TEST_CASE("Servos' work becomes motion", "[physics]") {
+  const EngineKind engine = test::EachEngine();
+  CAPTURE(engine);
+  Body body = LoneCore();
+  const int joint = Mount(body, 0, Slot::kFront, ModuleType::kVerticalJoint);
+  Mount(body, joint, Slot::kFront, ModuleType::kBrick);
+  Mount(body, 0, Slot::kLeft, ModuleType::kHorizontalJoint);
+  const Assembly assembly = Assemble(body);
+  // Able to do it in a step, and to take several.
+  for (const double most : {10.0, 0.002}) {
+    CAPTURE(most);
+    SimulationOptions options = test::FreeFlight(engine);
+    options.servo.max_torque = most;
+    World world(assembly, {}, options);
+    world.SetJointSpeed(0, 1);
+    world.SetJointSpeed(1, -0.5);
+    std::vector<double> before(2, 0), speeds(2, 0), torques(2, 0);
+    double work = 0;
+    for (int step = 0; step < 5; ++step) {
+      REQUIRE(world.Step());
+      world.TellJointSpeeds(speeds);
+      world.TellJointTorques(torques);
+      for (std::size_t i = 0; i < 2; ++i) {
+        CHECK(std::abs(torques[i]) <= most * (1 + 1e-9));
+        work += torques[i] * (before[i] + speeds[i]) / 2 * options.physics.step;
+      }
+      before = speeds;
+    }
+    const double motion = MotionEnergy(assembly, world);
+    CHECK(motion > 1e-6);
+    CHECK(work == Approx(motion).epsilon(0.01));
+  }
+}
+
+TEST_CASE("Energy is counted over a life, braking like driving", "[physics]") {
+  const EngineKind engine = test::EachEngine();
+  CAPTURE(engine);
+  SimulationOptions options = test::With(engine);
+  options.duration = 2;
+  options.start_height.reset();
+  const Phenotype robot = WithOscillators(Cross(), 1, 1);
+  const Trajectory life = Simulate(robot, {}, options);
+  REQUIRE(life.outcome == Outcome::kCompleted);
+  CHECK(life.weight == Approx(World(Assemble(robot.body), {}, options).Mass() *
+                              options.physics.gravity));
+  // At most all servos at their torque and speed all the time.
+  const auto joints = static_cast<double>(life.joint_angle.rows());
+  CHECK(life.energy > 0.01);
+  CHECK(life.energy <
+        joints * options.servo.max_torque * 10 * options.duration);
+  // Twice the life from rest to rest costs about twice of it.
+  options.duration = 4;
+  const double twice = Simulate(robot, {}, options).energy;
+  CHECK(twice == Approx(2 * life.energy).epsilon(0.25));
+  // Nobody turns, nobody works.
+  const Phenotype still = WithOscillators(LoneCore(), 1, 1);
+  CHECK(Simulate(still, {}, options).energy == 0);
+}
+
+TEST_CASE("Both engines count nearly the same work", "[physics]") {
+  SimulationOptions options = test::With(EngineKind::kOde);
+  options.duration = 5;
+  options.start_height.reset();
+  const Phenotype robot = WithOscillators(Cross(), 1, 2);
+  const double ode = Simulate(robot, {}, options).energy;
+  options.physics.engine = EngineKind::kArticulated;
+  CHECK(Simulate(robot, {}, options).energy == Approx(ode).epsilon(0.05));
 }
 
 }  // namespace

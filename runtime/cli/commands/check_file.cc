@@ -13,6 +13,7 @@
 #include "runtime/evolve/trials_yaml.h"
 #include "runtime/recording/recording_json.h"
 #include "runtime/report/digest.h"
+#include "runtime/scenario/scenario_fitness.h"
 
 namespace plsc::cli {
 
@@ -55,12 +56,14 @@ std::string SeasonsOf(const Scenario& scenario) {
 
 std::string ContentsOf(const Experiment& experiment) {
   const std::string trials = DescribeTrials(experiment.trials);
+  const bool is_own = HasOwnFitness(experiment.scenario);
   return fmt::format(
-      "experiment{}, population {} + {}, {}, {}, {}{}{}",
+      "experiment{}, population {} + {}, {}, {}, {}{}{}{}{}",
       Named(experiment.name), experiment.population, experiment.offspring,
       Plural(experiment.generations, "generation"),
       Plural(Evaluations(experiment), "robot"), SeasonsOf(experiment.scenario),
-      trials.empty() ? "" : ", ", trials);
+      trials.empty() ? "" : ", ", trials, is_own ? ", fitness " : "",
+      is_own ? Escaped(DescribeFitness(experiment.scenario)) : "");
 }
 
 std::string ContentsOf(const Study& study) {

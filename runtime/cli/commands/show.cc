@@ -12,6 +12,7 @@
 #include "runtime/cli/files/open_run.h"
 #include "runtime/evolve/trials_yaml.h"
 #include "runtime/life/season_json.h"
+#include "runtime/scenario/scenario_fitness.h"
 #include "runtime/store/census_json.h"
 #include "runtime/store/heritage_json.h"
 #include "runtime/store/lock.h"
@@ -44,25 +45,17 @@ std::string Origin(const Heritage& heritage, const Alphabet& alphabet) {
   return text;
 }
 
-/// "2.66 -0.10 none cm/s": of the seasons in their order.
-std::string SpeedsOf(const SeasonFitnesses& fitnesses) {
-  if (fitnesses.empty()) return "not evaluated yet";
-  std::string text;
-  for (const std::optional<double>& fitness : fitnesses)
-    text += (text.empty() ? "" : " ") + FitnessText(fitness);
-  return std::any_of(fitnesses.begin(), fitnesses.end(), IsSpeed)
-             ? text + " cm/s"
-             : text;
-}
-
 std::string LineageText(const std::vector<Ancestor>& lineage,
-                        const Alphabet& alphabet) {
+                        const Alphabet& alphabet, bool has_own_fitness) {
   std::string text;
   for (const Ancestor& ancestor : lineage)
-    text += fmt::format("  {:>2} back  {:>6} of generation {:<4} {:<24} {}\n",
-                        ancestor.distance, ancestor.id, ancestor.generation,
-                        SpeedsOf(ancestor.fitnesses),
-                        Origin(ancestor.heritage, alphabet));
+    text +=
+        fmt::format("  {:>2} back  {:>6} of generation {:<4} {:<24} {}\n",
+                    ancestor.distance, ancestor.id, ancestor.generation,
+                    ancestor.fitnesses.empty()
+                        ? "not evaluated yet"
+                        : FitnessesText(ancestor.fitnesses, has_own_fitness),
+                    Origin(ancestor.heritage, alphabet));
   return text;
 }
 
@@ -121,11 +114,13 @@ Exit ShowIndividual(const ShowCommand& command, RunStore& store, Io& io) {
     return Exit::kFine;
   }
   const Alphabet& alphabet = *one->genotype.alphabet;
-  io.out << fmt::format(
-      "{} of generation {}: {}\n\nlineage:\n{}\n{}\n{}{}", one->genotype.name,
-      one->generation, Origin(one->heritage, alphabet),
-      LineageText(*lineage, alphabet), Print(one->genotype), SeasonsText(*one),
-      TrialsText(store.experiment(), *trials));
+  io.out << fmt::format("{} of generation {}: {}\n\nlineage:\n{}\n{}\n{}{}",
+                        one->genotype.name, one->generation,
+                        Origin(one->heritage, alphabet),
+                        LineageText(*lineage, alphabet,
+                                    HasOwnFitness(store.experiment().scenario)),
+                        Print(one->genotype), SeasonsText(*one),
+                        TrialsText(store.experiment(), *trials));
   return Exit::kFine;
 }
 
@@ -155,6 +150,7 @@ void PrintRunJson(const ShowCommand& command, const RunStore& store,
       standing.census ? CensusJson(*standing.census) : Json(nullptr);
   const std::string lives = DescribeTrials(experiment.trials);
   json["lives"] = lives.empty() ? Json(nullptr) : Json(lives);
+  json["fitness"] = DescribeFitness(experiment.scenario);
   json["schema"] = store.schema();
   json["versions"] = {{"plsc", store.versions().plsc},
                       {"ode", store.versions().ode},
@@ -180,6 +176,9 @@ void PrintRunText(const RunStore& store, const Standing& standing,
   if (const std::string trials = DescribeTrials(experiment.trials);
       !trials.empty())
     out << fmt::format("lives: {}\n", trials);
+  if (HasOwnFitness(experiment.scenario))
+    out << fmt::format("fitness: {}\n",
+                       Escaped(DescribeFitness(experiment.scenario)));
 }
 
 /// How alike the robots of the last generation are, and how plastic.

@@ -58,9 +58,10 @@ std::optional<Failure> ChooseKept(const StudyDigestCommand& command,
                                   Digest& digest) {
   std::vector<ReportMeasure> measures = digest.measures;
   if (!command.measures.empty() || measures.empty()) {
-    const auto chosen =
+    auto chosen =
         ChooseMeasures(command.measures.empty() ? "paper" : command.measures);
     if (!chosen) return chosen.error();
+    if (HasOwnFitness(digest.study)) UseOwnFitness(*chosen);
     for (const ReportMeasure& one : *chosen)
       if (std::find(measures.begin(), measures.end(), one) == measures.end())
         measures.push_back(one);
@@ -68,6 +69,7 @@ std::optional<Failure> ChooseKept(const StudyDigestCommand& command,
   const auto record = ParseClaimsRecord(digest.claims, command.folder);
   if (!record) return record.error();
   AddClaimedMeasures(*record, measures);
+  if (HasOwnFitness(digest.study)) UseOwnFitness(measures);
   Measure(measures, digest);
   if (command.every) digest.every = *command.every;
   return std::nullopt;

@@ -6,6 +6,7 @@
 
 #include "grammar/enum_names.h"
 #include "grammar/shown_line.h"
+#include "runtime/life/season_result.h"
 #include "runtime/text/quantity.h"
 
 namespace plsc::cli {
@@ -34,10 +35,12 @@ std::string HowDisturbed(const Disturbance& one) {
   return text;
 }
 
-std::string TrialLine(std::size_t number, const StoredTrial& trial) {
+std::string TrialLine(std::size_t number, const StoredTrial& trial,
+                      bool is_own) {
   const std::string came =
-      trial.fitness ? fmt::format("{:8.3f} cm/s", kCentimetres * *trial.fitness)
-                    : fmt::format("{:>8}     ", "none");
+      trial.fitness && !is_own
+          ? fmt::format("{:8.3f} cm/s", kCentimetres * *trial.fitness)
+          : fmt::format("{:>8}     ", FitnessText(trial.fitness, is_own));
   const std::string disturbed = HowDisturbed(trial.disturbance);
   std::string line = fmt::format("  {:>3} {}  {}", number, came, disturbed);
   if (trial.outcome != Outcome::kCompleted)
@@ -56,7 +59,8 @@ std::string TrialsText(const Experiment& experiment,
     text += fmt::format("\ntrials in {}, by fitness (drawn is the first):\n",
                         Escaped(experiment.scenario.seasons.at(i).name));
     for (std::size_t n = 0; n < trials[i].size(); ++n)
-      text += TrialLine(n + 1, trials[i][n]);
+      text += TrialLine(n + 1, trials[i][n],
+                        experiment.scenario.seasons.at(i).fitness.has_value());
   }
   return text;
 }

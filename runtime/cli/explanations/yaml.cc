@@ -116,6 +116,50 @@ scenario:
   seasons:
     - {name: flat, terrain: flat, senses: {inclined: False}}
 )"},
+    {Code::kFormulaSyntax, ExampleKind::kExperiment,
+     R"(A formula has numbers, quantities and functions, between them + - * /,
+comparisons (== != < <= > >=), 'and', 'or', 'not', and 'condition ? one :
+other'; parentheses group. A choice has ': ' in it, which YAML takes for a
+key: such a formula stands in quotes.
+)",
+     R"(plsc_experiment: 1
+fitness: speed ^ 2
+)",
+     R"(plsc_experiment: 1
+fitness: speed * speed
+)"},
+    {Code::kUnknownQuantity, ExampleKind::kExperiment,
+     R"(No quantity and no function of a formula is called so.
+docs/experiments.md lists all, with their units.
+)",
+     R"(plsc_experiment: 1
+fitness: sped - 0.01 * energy
+)",
+     R"(plsc_experiment: 1
+fitness: speed - 0.01 * energy
+)"},
+    {Code::kFormulaType, ExampleKind::kExperiment,
+     R"(Numbers are added and compared, and comparisons are True or False: only
+these can be joined by 'and' and 'or', or decide a choice. Each function
+takes its own number of arguments.
+)",
+     R"(plsc_experiment: 1
+fitness: speed > 0
+)",
+     R"(plsc_experiment: 1
+fitness: "speed > 0 ? speed : 0"
+)"},
+    {Code::kNoNumber, ExampleKind::kExperiment,
+     R"(This part of the formula would be no finite number in any life: a division
+by 0, the root of a negative number, a logarithm of 0. Where that depends on
+the life, its outcome is 'undefined_fitness'.
+)",
+     R"(plsc_experiment: 1
+fitness: speed / (1 - 1)
+)",
+     R"(plsc_experiment: 1
+fitness: speed / 2
+)"},
 };
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "grammar/shown_line.h"
+#include "runtime/scenario/scenario_fitness.h"
 #include "runtime/scenario/scenario_physics.h"
 #include "runtime/scenario/scenario_profile.h"
 #include "runtime/scenario/scenario_yaml.h"
@@ -57,8 +58,18 @@ bool CompleteScenario(Experiment& experiment, const Source& source,
   auto scenario =
       ReadScenarioText(*text, findings, experiment.scenario.profile);
   if (!scenario) return false;
+  // Of the experiment, for all seasons.
+  const std::optional<Formula> fitness =
+      experiment.scenario.seasons.front().fitness;
+  std::vector<Diagnostic> problems;
+  if (fitness && HasOwnFitness(*scenario))
+    problems.push_back({Code::kMisfit,
+                        {},
+                        "fitness is given in this file and in its own, too"});
   experiment.scenario = std::move(*scenario);
-  std::vector<Diagnostic> problems = CheckSenses(experiment);
+  if (fitness)
+    for (Season& season : experiment.scenario.seasons) season.fitness = fitness;
+  if (problems.empty()) problems = CheckSenses(experiment);
   if (problems.empty()) return true;
   for (Diagnostic& problem : problems) problem.span = place;
   findings.push_back({source, std::move(problems)});

@@ -55,6 +55,7 @@ Expected<bool, Failure> RunFeed::Look() {
     name_ = experiment.name;
     seed_ = seed;
     scenario_ = scenario;
+    has_own_fitness_ = HasOwnFitness(experiment);
     total_ = experiment.generations;
     for (const Season& season : experiment.scenario.seasons)
       seasons_.push_back(season.name);
@@ -127,6 +128,7 @@ std::string RunFeed::Json() const {
   json["total_generations"] = total_;
   json["seasons"] = seasons_;
   json["scenario"] = scenario_;
+  json["own_fitness"] = has_own_fitness_;
   json["generations"] = Value::array();
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     const Row& row = rows_[i];

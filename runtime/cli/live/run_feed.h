@@ -53,6 +53,7 @@ class RunFeed {
   std::string name_;
   std::string seed_;
   std::string scenario_;
+  bool has_own_fitness_ = false;  ///< a formula's, and no speed
   std::vector<std::string> seasons_;
   int total_ = 0;
   std::string state_ = "missing";

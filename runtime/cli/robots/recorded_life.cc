@@ -26,8 +26,8 @@ SeasonLife RecordedLife::Next() {
   SeasonLife life = life_.Next();
   Motion motion = watch_.FinishSeason();
   if (is_recording_)
-    recording_.seasons.push_back(
-        RecordSeason(scenario_.seasons[lived_], life, std::move(motion)));
+    recording_.seasons.push_back(RecordSeason(
+        scenario_, scenario_.seasons[lived_], life, std::move(motion)));
   ++lived_;
   return life;
 }

@@ -46,8 +46,9 @@ void AddSeasons(const Progress& progress, std::vector<Piece>& pieces) {
   for (std::size_t i = 0; i < progress.seasons.size(); ++i) {
     const SeasonProgress& season = progress.seasons[i];
     const std::string name = Escaped(season.season);
-    const std::string best = FitnessText(season.best);
-    const std::string median = FitnessText(season.median);
+    const bool is_own = progress.has_own_fitness;
+    const std::string best = FitnessText(season.best, is_own);
+    const std::string median = FitnessText(season.median, is_own);
     const int place = static_cast<int>(i);
     pieces.push_back({fmt::format("{} best {}", name, best),
                       fmt::format("{} {}", name, best),
@@ -56,6 +57,7 @@ void AddSeasons(const Progress& progress, std::vector<Piece>& pieces) {
                       i == 0 ? 4 : kFirstMedian + place});
   }
   const bool has_speeds =
+      !progress.has_own_fitness &&
       std::any_of(progress.seasons.begin(), progress.seasons.end(),
                   [](const SeasonProgress& season) {
                     return IsSpeed(season.best) || IsSpeed(season.median);

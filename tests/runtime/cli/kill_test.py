@@ -36,7 +36,7 @@ scenario:
 
 # Of every robot three lives a season, each a row.
 TRIED = EXPERIMENT.replace("name: killed", "name: tried").replace(
-    "scenario:", "profile: swift\ntrials: 3\nown_lives: True\n"
+    "scenario:", "profile: swift\nfitness: speed - 0.001 * energy\ntrials: 3\nown_lives: True\n"
     "noise: {start_height: 30 um, motor: 1 deg}\nscenario:")
 
 

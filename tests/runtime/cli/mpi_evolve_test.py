@@ -178,7 +178,7 @@ def main():
     check(2 <= workers <= max(2, usable), f"{workers} workers, {usable} cores")
 
     pathlib.Path("tried.yaml").write_text(
-        short + "profile: swift\ntrials: 3\nnoise: {start_height: 30 um}\n")
+        short + "profile: swift\nfitness: speed - 0.001 * energy\ntrials: 3\nnoise: {start_height: 30 um}\n")
     tried = (PLSC, "evolve", "tried.yaml")
     trials = evolved("tried1.sqlite", (*tried, "--jobs", "1"))
     check('"trials":[[{' in trials, "no trials are exported")

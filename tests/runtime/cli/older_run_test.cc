@@ -1,6 +1,7 @@
 // Runs that older programs made. plsc 0.1.0: a store of the first schema, whose
 // scenario knows no engine. Schema 2: without servo errors and turns of the
-// core, and without a census of each generation. Schema 3: without trials. All
+// core, and without a census of each generation. Schema 3: without trials.
+// Schema 4: without where robots come to be and what their ways cost. All
 // commands that read runs take them.
 
 #include <catch2/catch.hpp>
@@ -94,8 +95,8 @@ TEST_CASE("a run of schema 2 is read, and what it lacks is told",
   const std::string results = ReadFile(run.folder / "csv/results.csv");
   CHECK(Tells(results,
               ",contacts,servo_error_median,servo_error_worst,"
-              "core_turns,steps,"));
-  CHECK(Tells(results, ",,,,400,"));  // empty cells
+              "core_turns,final_x,"));
+  CHECK(Tells(results, ",,,,,,,,,,,,,400,"));  // empty cells
   CHECK(Tells(ReadFile(run.folder / "csv/generations.csv"),
               "number,best,genotypes,"));
   CHECK(RunPlsc({"export", run.path, "--jsonl"}).exit == 0);
@@ -109,7 +110,7 @@ TEST_CASE("a run of schema 2 is read, and what it lacks is told",
   CHECK(replayed.exit == 0);
   CHECK(Tells(replayed.err,
               "is a store of schema 2, without servo_error_median, "
-              "servo_error_worst, core_turns: these are not compared"));
+              "servo_error_worst, core_turns, final_x, "));
   CHECK(ReadFile(run.path) == before);
 }
 
@@ -120,7 +121,7 @@ TEST_CASE("a run of schema 2 is not gone on with, but made again",
   const auto refused = RunPlsc({"evolve", "--resume", run.path});
   CHECK(refused.exit == 1);
   CHECK(
-      Tells(refused.err, "is a store of schema 2, and this program's have 4"));
+      Tells(refused.err, "is a store of schema 2, and this program's have 5"));
   CHECK(Tells(refused.err, "(plsc 0.2.0) goes on with it"));
   CHECK(
       RunPlsc({"evolve", "--resume", run.path, "--allow-other-version"}).exit ==
@@ -134,53 +135,63 @@ TEST_CASE("a run of schema 2 is not gone on with, but made again",
               "servo_error_median"));
   const Json one = Json::parse(
       RunPlsc({"show", run.folder / "new", "--format", "json"}).out);
-  CHECK(one["schema"] == 4);
+  CHECK(one["schema"] == 5);
   const Json two =
       Json::parse(RunPlsc({"show", run.path, "--format", "json"}).out);
   CHECK(one["census"] == two["census"]);  // kept, and counted afterwards
   CHECK(ReadFile(run.path) == before);
 }
 
-TEST_CASE("a run of schema 3 lacks nothing but trials", "[older_run]") {
-  const OlderRun run(3);
-  const std::string before = ReadFile(run.path);
-  const auto shown = RunPlsc({"show", run.path, "--verify"});
-  INFO(shown.err);
-  CHECK(shown.exit == 0);
-  CHECK_FALSE(Tells(shown.out, "lives: "));
-  const Json json =
-      Json::parse(RunPlsc({"show", run.path, "--format", "json"}).out);
-  CHECK(json["schema"] == 3);
-  CHECK(json["lives"].is_null());
-  CHECK_FALSE(Tells(RunPlsc({"show", run.path, "best"}).out, "trials in"));
-  REQUIRE(RunPlsc({"export", run.path, "--csv", run.folder / "csv"}).exit == 0);
-  const std::string trials = ReadFile(run.folder / "csv/trials.csv");
-  CHECK(trials.find('\n') == trials.size() - 1);  // the header alone
-  CHECK(RunPlsc({"export", run.path, "--jsonl"}).exit == 0);
-  const auto report = RunPlsc({"report", run.path, "--format", "json"});
-  REQUIRE(report.exit == 0);
-  CHECK(Json::parse(report.out)["runs"][0]["lacks"].empty());
-  const auto replayed = RunPlsc({"replay", run.path, "--all"});
-  INFO(replayed.out);
-  CHECK(replayed.exit == 0);
-  CHECK_FALSE(Tells(replayed.err, "note: "));
-  const auto refused = RunPlsc({"evolve", "--resume", run.path});
-  CHECK(refused.exit == 1);
-  CHECK(Tells(refused.err,
-              "is a store of schema 3, and this program's have 4: it has no "
-              "table of trials"));
-  // Made again, of its own simulations: the same lives and the same end.
-  const auto again = RunPlsc(
-      {"evolve", "--salvage", run.path, "-o", run.folder / "new", "--quiet"});
-  INFO(again.err);
-  CHECK(again.exit == 0);
-  CHECK(Tells(again.err, " simulated seasons of '"));
-  const Json made = Json::parse(
-      RunPlsc({"show", run.folder / "new", "--format", "json"}).out);
-  CHECK(made["schema"] == 4);
-  CHECK(made["census"] == json["census"]);
-  CHECK(made["best"] == json["best"]);
-  CHECK(ReadFile(run.path) == before);
+TEST_CASE("runs of schema 3 and 4 lack the ends of lives and trials",
+          "[older_run]") {
+  for (const int schema : {3, 4}) {
+    CAPTURE(schema);
+    const OlderRun run(schema);
+    const std::string before = ReadFile(run.path);
+    const auto shown = RunPlsc({"show", run.path, "--verify"});
+    INFO(shown.err);
+    CHECK(shown.exit == 0);
+    CHECK(Tells(shown.out, "lives: ") == (schema == 4));
+    CHECK_FALSE(Tells(shown.out, "\nfitness: "));
+    const Json json =
+        Json::parse(RunPlsc({"show", run.path, "--format", "json"}).out);
+    CHECK(json["schema"] == schema);
+    CHECK(json["lives"].is_null() == (schema == 3));
+    CHECK(Tells(json["fitness"].get<std::string>(), "speed * 0.1"));
+    CHECK(Tells(RunPlsc({"show", run.path, "best"}).out, "trials in") ==
+          (schema == 4));
+    REQUIRE(RunPlsc({"export", run.path, "--csv", run.folder / "csv"}).exit ==
+            0);
+    const std::string trials = ReadFile(run.folder / "csv/trials.csv");
+    CHECK((trials.find('\n') == trials.size() - 1) == (schema == 3));
+    CHECK(RunPlsc({"export", run.path, "--jsonl"}).exit == 0);
+    const auto report = RunPlsc({"report", run.path, "--format", "json"});
+    REQUIRE(report.exit == 0);
+    const Json told = Json::parse(report.out);
+    CHECK(told["runs"][0]["lacks"].size() == 9);
+    CHECK(told["experiments"][0]["fitness"].is_null());
+    const auto replayed = RunPlsc({"replay", run.path, "--all"});
+    INFO(replayed.out);
+    CHECK(replayed.exit == 0);
+    CHECK(Tells(replayed.err, "without final_x, "));
+    const auto refused = RunPlsc({"evolve", "--resume", run.path});
+    CHECK(refused.exit == 1);
+    CHECK(Tells(refused.err,
+                "and this program's have 5: its lives lack "
+                "final_x, "));
+    // Made again: the same lives and the same end.
+    const auto again = RunPlsc(
+        {"evolve", "--salvage", run.path, "-o", run.folder / "new", "--quiet"});
+    INFO(again.err);
+    CHECK(again.exit == 0);
+    CHECK(Tells(again.err, "whose simulations lack final_x"));
+    const Json made = Json::parse(
+        RunPlsc({"show", run.folder / "new", "--format", "json"}).out);
+    CHECK(made["schema"] == 5);
+    CHECK(made["census"] == json["census"]);
+    CHECK(made["best"] == json["best"]);
+    CHECK(ReadFile(run.path) == before);
+  }
 }
 
 TEST_CASE("a run of 0.1.0 is not gone on with", "[older_run]") {

@@ -8,6 +8,9 @@
 #include <vector>
 
 #include "runtime/evolve/experiment.h"
+#include "runtime/formula/functions.h"
+#include "runtime/formula/quantities.h"
+#include "runtime/scenario/scenario_fitness.h"
 
 namespace plsc {
 
@@ -61,7 +64,7 @@ std::set<std::string> KeysOf(const std::string& yaml) {
 TEST_CASE("The examples of the documentation are experiments",
           "[documentation]") {
   const std::vector<std::string> examples = Examples();
-  REQUIRE(examples.size() == 2);
+  REQUIRE(examples.size() == 3);
   for (const std::string& example : examples) {
     const Source source("docs/experiments.md", example);
     const auto experiment = ParseExperiment(source);
@@ -71,9 +74,34 @@ TEST_CASE("The examples of the documentation are experiments",
   Experiment paper;
   paper.name = "paper";
   CHECK(*ParseExperiment(Source("docs", examples[0])) == paper);
+  const auto thrift = ParseExperiment(Source("docs", examples[2]));
+  CHECK(HasOwnFitness(thrift->scenario));
   const auto deserts = ParseExperiment(Source("docs", examples[1]));
   CHECK(deserts->scenario.seasons.size() == 3);
   CHECK(deserts->genotype.states.size() == 3);
+}
+
+TEST_CASE("Formulas' quantities and functions are documented",
+          "[documentation]") {
+  const std::string documentation = Documentation();
+  for (const QuantityInfo& one : Quantities()) {
+    const std::string other =
+        one.column.empty() ? "" : " or `" + std::string(one.column) + "`";
+    const std::string row = "\n| `" + std::string(one.name) + "`" + other +
+                            " | " + std::string(one.unit) + " | " +
+                            std::string(one.meaning) + " |\n";
+    CAPTURE(row);
+    CHECK(documentation.find(row) != std::string::npos);
+  }
+  for (const FormulaFunction& one : FormulaFunctions()) {
+    const std::string row = "\n| `" + std::string(one.name) + "(" +
+                            std::string(one.arguments) + ")` | " +
+                            std::string(one.meaning) + " |\n";
+    CAPTURE(row);
+    CHECK(documentation.find(row) != std::string::npos);
+  }
+  CHECK(documentation.find("\n    " + std::string(kDefaultFitness) + "\n") !=
+        std::string::npos);
 }
 
 TEST_CASE("Every key is in the example of all keys and in the tables",
@@ -82,12 +110,14 @@ TEST_CASE("Every key is in the example of all keys and in the tables",
   std::set<std::string> keys = KeysOf(PrintExperiment(Experiment{}));
   CHECK(keys.size() > 40);
   keys.insert("plsc_scenario");
+  keys.insert("targets");
   keys.insert("name");
   for (const std::string& key : keys) {
     CAPTURE(key);
     CHECK(documentation.find("\n| `" + key + "` |") != std::string::npos);
   }
   keys.erase("plsc_scenario");
+  keys.erase("targets");
   CHECK(KeysOf(Examples().at(0)) == keys);
 }
 

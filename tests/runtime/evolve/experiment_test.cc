@@ -5,6 +5,7 @@
 #include <tuple>
 #include <vector>
 
+#include "runtime/formula/read_formula.h"
 #include "runtime/scenario/scenario_profile.h"
 
 namespace plsc {
@@ -45,6 +46,7 @@ Experiment Unusual() {
   experiment.variation = {0.1, InsertionPoint::kBeforeEnd, Removal::kByValue};
   experiment.scenario.name = "other";
   experiment.scenario.seasons.pop_back();
+  experiment.scenario.seasons[0].fitness = *ReadFormula("speed - energy");
   return experiment;
 }
 
@@ -202,6 +204,13 @@ TEST_CASE("Mistakes in an experiment are shown where they are",
         "symbols that memory is meant for",
         "test.yaml:3:13", "'max_groups' smaller"}},
       {"no generation", "generations: 0\n", {"found 0"}},
+      {"a fitness that asks for what there is not",
+       "fitness: sped\n",
+       {"no quantity is called 'sped'", "did you mean 'speed'?",
+        "test.yaml:1:10"}},
+      {"targets that are none",
+       "fitness: -target_distance\n",
+       {"there are no targets", "test.yaml:1:10"}},
       {"a percentage",
        "mutation: 80\n",
        {"expected at least 0 and at most 1, found 80"}},

@@ -109,7 +109,7 @@ TEST_CASE("Developed and simulated make a result, and come apart again",
   simulated.state_hash = 7;
   simulated.steps = 100;
   simulated.solver_warnings = 1;
-  const SeasonResult result = Complete(developed, simulated);
+  const SeasonResult result = Complete(developed, simulated, Season{});
   CHECK(result.fitness == Approx(-0.002));
   CHECK(result.begin == 50);
   const Simulated again = SimulatedOf(result);
@@ -119,8 +119,8 @@ TEST_CASE("Developed and simulated make a result, and come apart again",
   CHECK(again.solver_warnings == 1);
   simulated.outcome = Outcome::kUnstable;
   simulated.reason = "too fast";
-  CHECK_FALSE(Complete(developed, simulated).fitness);
-  CHECK(Complete(developed, simulated).reason == "too fast");
+  CHECK_FALSE(Complete(developed, simulated, Season{}).fitness);
+  CHECK(Complete(developed, simulated, Season{}).reason == "too fast");
 }
 
 }  // namespace plsc

@@ -48,5 +48,15 @@ TEST_CASE("A penalty is told as one, and not as a speed", "[season_result]") {
   }
 }
 
+TEST_CASE("An own formula's numbers have no unit", "[season_result]") {
+  CHECK(FitnessText(-0.1, true) == "-0.1");
+  CHECK(FitnessText(12.34567, true) == "12.35");
+  CHECK(FitnessText(std::nullopt, true) == "none");
+  CHECK(FitnessesText({0.0266, -0.1, std::nullopt}, false) ==
+        "2.66 penalty none cm/s");
+  CHECK(FitnessesText({-0.1, std::nullopt}, false) == "penalty none");
+  CHECK(FitnessesText({0.0266, std::nullopt}, true) == "0.0266 none");
+}
+
 }  // namespace
 }  // namespace plsc

@@ -35,7 +35,9 @@ inline RecordedSeason LiveRecorded(const Phenotype& robot, Season season,
   life.result.reason = life.trajectory.reason;
   life.result.behaviour =
       Measure(life.trajectory, 3, MeasuredPoint::kMassCentre);
-  return RecordSeason(season, life, recorder.Take());
+  Scenario scenario;
+  scenario.targets = {{1, -2.5}};
+  return RecordSeason(scenario, season, life, recorder.Take());
 }
 
 /// Two seasons: flat, and a slope of 5 degrees.

@@ -31,6 +31,8 @@ TEST_CASE("a recording comes back but for rounding", "[recording_json]") {
     CHECK(a.outcome == b.outcome);
     CHECK(a.speed == b.speed);
     CHECK(a.balance == b.balance);
+    CHECK(a.targets == std::vector<Target>{{1, -2.5}});
+    CHECK(a.targets == b.targets);
     CHECK(a.motion.steps == b.motion.steps);
     CHECK(a.motion.touch == b.motion.touch);
     CHECK((a.motion.position - b.motion.position).cwiseAbs().maxCoeff() <=
@@ -42,6 +44,15 @@ TEST_CASE("a recording comes back but for rounding", "[recording_json]") {
     CHECK(a.body.links[1].boxes[0].centre == b.body.links[1].boxes[0].centre);
     CHECK(a.body.joints[0].anchor == b.body.joints[0].anchor);
   }
+}
+
+TEST_CASE("seasons without targets say nothing of them", "[recording_json]") {
+  Recording recording = test::SmallRecording();
+  CHECK(RecordingJson(recording).find("targets") != std::string::npos);
+  for (RecordedSeason& season : recording.seasons) season.targets.clear();
+  const std::string text = RecordingJson(recording);
+  CHECK(text.find("targets") == std::string::npos);
+  CHECK(Reread(text).seasons[0].targets.empty());
 }
 
 TEST_CASE("every terrain comes back", "[recording_json]") {

@@ -44,7 +44,7 @@ TEST_CASE("the mass centre of a recording is the trajectory's", "[recording]") {
   SeasonLife life;
   life.robot = test::SmallRobot();
   life.trajectory = Live(*life.robot, {}, options, {}, &recorder).trajectory;
-  const RecordedSeason season = RecordSeason({}, life, recorder.Take());
+  const RecordedSeason season = RecordSeason({}, {}, life, recorder.Take());
   const Eigen::Matrix3Xd centres = MassCentres(season);
   // Each 0.2 s is a sample of both.
   REQUIRE(centres.cols() == 51);
@@ -57,7 +57,7 @@ TEST_CASE("a season without a robot is recorded as such", "[recording]") {
   SeasonLife life;
   life.result.outcome = Outcome::kNotReached;
   life.result.reason = "the life ended";
-  const RecordedSeason season = RecordSeason({}, life, {});
+  const RecordedSeason season = RecordSeason({}, {}, life, {});
   CHECK(season.body.links.empty());
   CHECK(!season.speed);
   CHECK(season.reason == "the life ended");

@@ -12,7 +12,9 @@ TEST_CASE("a life that is lived again has every measure of behaviour",
           "[relive]") {
   const std::vector<std::string>& names = RelivedMeasures();
   CHECK(names.front() == "fitness");
-  for (const std::string& column : BehaviourColumns())
+  // Of the schema of runs that files of the first format have.
+  CHECK(names.size() == BehaviourColumns(4).size() + 1);
+  for (const std::string& column : BehaviourColumns(4))
     CHECK(std::count(names.begin(), names.end(), column) == 1);
   Behaviour behaviour;
   behaviour.is_valid = true;

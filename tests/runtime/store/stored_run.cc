@@ -6,6 +6,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <fstream>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <sstream>
@@ -31,6 +32,10 @@ Simulated LookClosely(const Phenotype& robot, const Season& season,
   seen.behaviour.servo_error_median = std::abs(std::sin(number)) / 7;
   seen.behaviour.servo_error_worst = std::abs(std::cos(number)) / 3;
   seen.behaviour.core_turns = std::sqrt(number);
+  seen.behaviour.final_x = -std::sqrt(number);
+  seen.behaviour.energy = number / 3;
+  // None, as where there are no targets.
+  seen.behaviour.target_distance = std::numeric_limits<double>::quiet_NaN();
   seen.solver_warnings = static_cast<int>(NumberOf(robot) % 3);
   return seen;
 }

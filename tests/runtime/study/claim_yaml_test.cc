@@ -216,4 +216,25 @@ TEST_CASE("Scenarios in files of their own are checked when they are there",
   CHECK(CheckClaims(study->claims, study->experiments).empty());
 }
 
+TEST_CASE("A formula's fitness has no unit in which to claim its value",
+          "[claim_yaml]") {
+  const auto problems_of = [](const std::string& claim) {
+    const Source source("s.yaml",
+                        "plsc_study: 1\nrepetitions: 2\n"
+                        "base: {fitness: speed - energy}\nexperiments: {a: {}, "
+                        "b: {}}\nclaims:\n  c: {season: flat, " +
+                            claim + "}\n");
+    const auto study = ParseStudy(source);
+    INFO(Render(study.diagnostics(), source));
+    REQUIRE(study);
+    return CheckClaims(study->claims, study->experiments);
+  };
+  const auto problems =
+      problems_of("measure: fitness, experiment: a, value: 3 cm/s");
+  REQUIRE(problems.size() == 1);
+  CHECK(problems[0].message.find("no speed in cm/s") != std::string::npos);
+  CHECK(problems_of("measure: speed, experiment: a, value: 3 cm/s").empty());
+  CHECK(problems_of("measure: fitness, greater: [a, b]").empty());
+}
+
 }  // namespace plsc

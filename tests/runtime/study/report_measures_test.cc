@@ -36,6 +36,19 @@ TEST_CASE("All measures are every descriptor of a store, and the fitness",
   CHECK(ids.count("fitness") == 1);
 }
 
+TEST_CASE("What a formula comes to has no unit, all else has",
+          "[report_measures]") {
+  auto measures = *ChooseMeasures("speed,fitness,energy,heading");
+  CHECK(measures[1].unit == "cm/s");
+  CHECK(measures[2].unit == "J");
+  CHECK(measures[3].unit == "rad");
+  UseOwnFitness(measures);
+  CHECK(measures[0].unit == "cm/s");
+  CHECK(measures[0].scale == 100);
+  CHECK(measures[1].unit.empty());
+  CHECK(measures[1].scale == 1);
+}
+
 TEST_CASE("Measures are chosen by column or title", "[report_measures]") {
   const auto chosen =
       *ChooseMeasures("speed, hinge_count,Sensors Reach,SPEED,limbs");

@@ -1,5 +1,5 @@
 // Fitness over the generations of a run, as a small picture: of each season the
-// best survivor (strong) and the median one (pale), cm/s.
+// best survivor (strong) and the median one (pale): cm/s, or what a formula has.
 const colours = ["#0072b2", "#d55e00", "#009e73", "#cc79a7"]; // Okabe and Ito's, told apart by all
 const width = 600;
 const height = 120;
@@ -18,13 +18,15 @@ export function curves(run, shown) {
   const values = rows.flatMap(({ fitness }) => [...fitness.best, ...fitness.median]).filter((value) => value !== null);
   // Robots that cannot move have -0.1, far below all others: below the picture.
   const most = Math.max(0, ...values);
-  const least = Math.min(0, ...values.filter((value) => value > -0.1));
+  const own = run.own_fitness;
+  const least = Math.min(0, ...values.filter((value) => own || value > -0.1));
+  const shownAs = (value) => (own ? Number(value.toPrecision(3)) : (100 * value).toFixed(1));
   const span = most - least || 1;
   const x = (i) => left + ((width - left - 4) * i) / Math.max(rows.length - 1, 1);
   const y = (value) => 6 + ((height - 22) * Math.min(most - value, span)) / span;
-  const picture = svg("svg", { viewBox: `0 0 ${width} ${height}`, role: "img", "aria-label": `Fitness over ${rows.length} generations, cm/s` });
+  const picture = svg("svg", { viewBox: `0 0 ${width} ${height}`, role: "img", "aria-label": `Fitness over ${rows.length} generations${own ? "" : ", cm/s"}` });
   for (const value of [least, most])
-    picture.append(svg("line", { x1: left, x2: width - 4, y1: y(value), y2: y(value), stroke: "#ccc" }), svg("text", { x: left - 4, y: y(value) + 4, "text-anchor": "end", "font-size": 11 }, (100 * value).toFixed(1)));
+    picture.append(svg("line", { x1: left, x2: width - 4, y1: y(value), y2: y(value), stroke: "#ccc" }), svg("text", { x: left - 4, y: y(value) + 4, "text-anchor": "end", "font-size": 11 }, shownAs(value)));
   run.seasons.forEach((season, i) => {
     const colour = colours[i % colours.length];
     for (const [which, opacity] of [

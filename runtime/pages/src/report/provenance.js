@@ -118,6 +118,13 @@ function lives({ experiments }) {
   );
 }
 
+// What experiments go by, where it is not the paper's fitness.
+function fitness({ experiments }) {
+  const own = experiments.filter((one) => one.fitness);
+  if (!own.length) return null;
+  return element("p", { id: "fitness" }, `Fitness is ${own.map((one) => `${one.name}: ${one.fitness}`).join("; ")}${own.length < experiments.length ? "; of the others the paper's" : ""}.`);
+}
+
 // A row a constant; a column an experiment's season, equal ones put together.
 function constants(data) {
   const sets = data.constants.flatMap(({ experiment, same, values }) =>
@@ -154,6 +161,7 @@ export function provenanceSection(data) {
     versions(read),
     lacks(read),
     lives(data),
+    fitness(data),
     element("p", { id: "verified" }, verifiedText(data)),
     table(columns, data.runs.map(rowOf), { label: "runs" }),
     csvButton("the runs", "runs", data.runs.map(csvRow)),

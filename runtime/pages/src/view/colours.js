@@ -24,4 +24,5 @@ export const servoColour = "#4a4f57";
 export const sky = "#f5f7fa";
 export const ghostColour = "#8a94a3";
 export const pathColour = "#0072b2";
+export const targetColour = "#d55e00";
 export const newColour = "#ff7a00";

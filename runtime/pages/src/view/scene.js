@@ -6,6 +6,7 @@ import { followedAt, placeOf } from "./life.js";
 import { makeFading, setFading, toLight } from "./materials.js";
 import { makePath } from "./path.js";
 import { Robot, unlivedHeight } from "./robot.js";
+import { makeTargets } from "./targets.js";
 
 function changeOf(seasons, i) {
   const before = seasons[i - 1];
@@ -24,7 +25,7 @@ class SeasonScene {
       this.object.add(this.robot.object, this.robot.shadow);
     }
     this.path = makePath(this.season, this.ground);
-    this.object.add(this.path);
+    this.object.add(this.path, makeTargets(this.season, this.ground));
   }
 
   // Gives where the robot is, m.

@@ -58,7 +58,7 @@ TEST_CASE("simulate lives each season with the body of its environment",
       CHECK(table.out.find(name) != std::string::npos);
     // Header and two seasons of two lines as below; a blank, a header, 5 + 20
     // + 11.
-    CHECK(std::count(table.out.begin(), table.out.end(), '\n') == 6 + 2 + 39);
+    CHECK(std::count(table.out.begin(), table.out.end(), '\n') == 6 + 2 + 48);
   }
   SECTION("a table for people") {
     const auto table =
