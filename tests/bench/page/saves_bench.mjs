@@ -57,14 +57,15 @@ function seenOf([line, modules]) {
     };
     const looking = new MutationObserver(look);
     looking.observe(document.body, { subtree: true, childList: true, characterData: true });
-    // The life is the next one that is said to be known.
-    const said = new MutationObserver(() => {
-      if (times.text === undefined || !/^lived/.test(document.querySelector(".status").textContent)) return;
-      said.disconnect();
+    // The page is at rest again when the life is known.
+    const right = document.querySelector(".right");
+    const resting = new MutationObserver(() => {
+      if (times.body === undefined || right.ariaBusy !== "false") return;
+      resting.disconnect();
       looking.disconnect();
       done("life", true);
     });
-    said.observe(document.querySelector(".status"), { childList: true });
+    resting.observe(right, { attributeFilter: ["aria-busy"] });
   });
 }
 

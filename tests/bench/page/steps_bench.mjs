@@ -127,8 +127,7 @@ function callOfStep() {
   const model = mujoco.MjModel.from_xml_string(nothing);
   const data = new mujoco.MjData(model);
   const all = () => timed(() => { for (let i = 0; i < 10000; ++i) mujoco.mj_step(model, data); });
-  all();
-  return all() / 10;
+  return Math.min(...Array.from({ length: 10 }, all)) / 10;
 }
 
 function measure(robot, ground) {
