@@ -1,12 +1,12 @@
 // Opens plsc.wasm, in a page, its workers and Node alike: a script without
 // imports, so that it can stand in a worker made of a blob.
 //
-//   const plsc = await openPlsc(bytes);   // ArrayBuffer or Uint8Array
+//   const plsc = await openPlsc(wasm);   // bytes, or a WebAssembly.Module of them
 //   const answer = plsc.ask({ ask: "check", text: "..." });
 //
 // What the module asks of its host is a place for the words of a failed assertion
 // and an end. After an exception it is broken: open another one.
-async function openPlsc(bytes) {
+async function openPlsc(wasm) {
   let words = "";
   let exports;
   const memory = () => new DataView(exports.memory.buffer);
@@ -34,7 +34,7 @@ async function openPlsc(bytes) {
       throw new Error(words || `the module ended with status ${status}`);
     },
   };
-  const module = await WebAssembly.compile(bytes);
+  const module = wasm instanceof WebAssembly.Module ? wasm : await WebAssembly.compile(wasm);
   // Of the C library's other calls none is made; each would say its name.
   const imports = {};
   for (const { module: from, name, kind } of WebAssembly.Module.imports(module)) {

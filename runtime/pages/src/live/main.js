@@ -191,7 +191,11 @@ document.body.append(
   versions.object,
 );
 if (data.server?.file !== undefined) {
-  follow = new Follow(door, editor, data.server.file, { say, setText: (text) => editor.setText(text) });
+  const setText = (text) => {
+    editor.setText(text);
+    make(0); // who saved is done typing
+  };
+  follow = new Follow(door, editor, data.server.file, { say, setText });
   document.body.append(follow.object);
 }
 // A robot of a run takes the place of the one before, which is what it is

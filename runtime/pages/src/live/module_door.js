@@ -1,11 +1,25 @@
 // The door to plsc itself, compiled to WebAssembly: two workers, one for the
 // language server and one for lives. One that takes too long, or dies, is ended
 // and another one started.
-import { unpack } from "./packed.js";
+import { toBytes } from "./packed.js";
 
 const longest = 20000; // ms that one answer may take
 
-// Runs in the worker, behind the glue, which defines openPlsc.
+function workerOf(code) {
+  const url = URL.createObjectURL(new Blob([code], { type: "text/javascript" }));
+  const worker = new Worker(url);
+  URL.revokeObjectURL(url);
+  return worker;
+}
+
+// Compiled once, on the browser's own threads, for all workers; `packed` is
+// base64 of gzip.
+function compile(packed) {
+  const stream = new Blob([toBytes(packed)]).stream().pipeThrough(new DecompressionStream("gzip"));
+  return WebAssembly.compileStreaming(new Response(stream, { headers: { "Content-Type": "application/wasm" } }));
+}
+
+// Runs in a worker behind the glue, which defines openPlsc.
 function serve() {
   let plsc = null;
   self.onmessage = async ({ data }) => {
@@ -42,9 +56,7 @@ class Lane {
     }
     if (this.started !== started) return;
     const { code, wasm } = parts;
-    const url = URL.createObjectURL(new Blob([code], { type: "text/javascript" }));
-    this.worker = new Worker(url);
-    URL.revokeObjectURL(url);
+    this.worker = workerOf(code);
     this.isReady = false;
     this.worker.onmessage = ({ data }) => this.#heard(data);
     this.worker.onerror = (event) => this.end(`plsc stopped: ${event.message}`);
@@ -94,7 +106,7 @@ export class ModuleDoor {
   constructor({ packed, glue }) {
     this.onRestart = () => {};
     const code = `${glue}\n(${serve})();`;
-    this.parts = unpack(packed).then((wasm) => ({ code, wasm }));
+    this.parts = compile(packed).then((wasm) => ({ code, wasm }));
     this.lives = new Lane(this.parts, () => {});
     this.language = new Lane(this.parts, () => this.onRestart());
     this.ids = 0;

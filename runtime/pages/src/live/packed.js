@@ -31,5 +31,3 @@ export async function through(stream, bytes, most = Infinity) {
   }
   return new Uint8Array(await new Blob(pieces).arrayBuffer());
 }
-
-export const unpack = (base64) => through(new DecompressionStream("gzip"), toBytes(base64));
