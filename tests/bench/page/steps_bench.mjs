@@ -9,10 +9,11 @@
 // sensing and brain. MuJoCo's is its mj_step and its servos' speeds, which
 // cost little: oscillators were computed before, sensors are switched off. Twice:
 // as exported (implicit integrator), and as quick as its settings make it
-// (implicitfast, one iteration of the solver). Its servos' torque is not limited:
-// since version 3 the implicit integrators leave out the damping of a servo at its
-// limit, and links as light as ours then fly away at 5 ms. Of each robot the quickest of
-// `rounds` lives counts, as other programs disturb it least.
+// (implicitfast, one iteration of the solver). The limit of a servo's torque stands
+// at the joint, not at the actuator as MuJoCo 2 needs it: there version 3 leaves out
+// the damping of a servo at its limit, and links as light as ours fly away at 5 ms.
+// Of each robot the quickest of `rounds` lives counts, as other programs disturb it
+// least.
 import { readFileSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { join } from "node:path";
@@ -53,6 +54,12 @@ function timed(work) {
   return now() - begun;
 }
 
+function limitedAtJoint(mjcf) {
+  const limit = / forcelimited="true" forcerange="(.*?)"/;
+  const [, range] = limit.exec(mjcf);
+  return mjcf.replace(limit, "").replace('<joint type="hinge"', `$& actuatorfrclimited="true" actuatorfrcrange="${range}"`);
+}
+
 // What drives the robot in MuJoCo: servos as ours, from oscillators.
 function brainOf(text) {
   writeFileSync(join(scratch, "robot.pls"), text);
@@ -69,7 +76,7 @@ function brainOf(text) {
   const mjcf = {};
   for (const ground of Object.keys(grounds)) {
     writeFileSync(join(scratch, "scenario.yaml"), scenario(duration, ground));
-    mjcf[ground] = plsc(...words, "mjcf").replace('forcelimited="true"', 'forcelimited="false"');
+    mjcf[ground] = limitedAtJoint(plsc(...words, "mjcf"));
   }
   return { targets, servo, steps, mjcf };
 }
